@@ -1,0 +1,43 @@
+"""The one decorator for compiled code, and a compile cache that cannot go stale.
+
+Numba's file cache notices a change of the file that holds a function, but not of the files that
+hold the functions it calls. The cache folder is therefore named by a digest of every source file
+of `twin` and of the versions that matter, so that any change compiles anew.
+"""
+
+import hashlib
+import os
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numba
+import numpy as np
+
+
+def _digest() -> str:
+    h = hashlib.sha256(f"{numba.__version__} {np.__version__} {sys.version}".encode())
+    for path in sorted(Path(__file__).parent.rglob("*.py")):
+        h.update(path.read_bytes())
+    return h.hexdigest()[:16]
+
+
+def cache_folder() -> Path:
+    """Where compiled code of this very source tree is kept."""
+    base = os.environ.get("BUMPLESS_CACHE_DIR") or os.environ.get("XDG_CACHE_HOME") or "~/.cache"
+    return Path(base).expanduser() / "bumpless" / f"numba-{_digest()}"
+
+
+if not os.environ.get("NUMBA_CACHE_DIR"):
+    numba.config.CACHE_DIR = str(cache_folder())  # type: ignore[attr-defined]
+
+
+def jit(function: Callable[..., Any]) -> Any:
+    """Compile on first call, without the GIL, cached on disk; NumPy's rules for division by zero."""
+    return numba.njit(cache=True, nogil=True, error_model="numpy")(function)
+
+
+def inline(function: Callable[..., Any]) -> Any:
+    """As `jit`; for the smallest functions, which LLVM then inlines into their callers."""
+    return numba.njit(cache=True, nogil=True, error_model="numpy")(function)
