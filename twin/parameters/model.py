@@ -1,0 +1,104 @@
+"""The parameters themselves: frozen dataclasses, named after the keys of the vehicle file.
+
+Wrench order is [X Y Z K M N], error order [u v z phi theta psi], actuators in the vehicle file's
+order. Commands in R are divided by their amplitude bounds, so its weights carry no unit.
+"""
+
+from dataclasses import dataclass
+from typing import Literal
+
+Allocator = Literal["mdca", "wls", "pid_direct"]
+Solver = Literal["osqp", "active_set", "daqp"]
+PathLaw = Literal["alos", "aalos_fossen2024"]
+
+
+@dataclass(frozen=True)
+class ModeParameters:
+    """One mode's weights and gains.
+
+    Source: Gao et al. 2026, eq. (44) for the gains, eqs. (45)-(52) for {Q, R, lambda},
+    eq. (54) for N_sw.
+    """
+
+    q_diagonal: tuple[float, ...]  # diagonal of Q, shape (6,), 1/N^2 or 1/(N m)^2
+    r_diagonal: tuple[float, ...]  # diagonal of R, shape (n_u,)
+    lambda_: float  # written `lambda` in files
+    ramp_cycles: int  # N_sw of a switch into this mode
+    kp: tuple[float, ...]  # diagonal of K_P, shape (6,), N or N m per m/s, m or rad
+    ki: tuple[float, ...]  # diagonal of K_I, shape (6,), the same per second
+    kd: tuple[float, ...]  # diagonal of K_D, shape (6,), the same times second
+    integral_limit: tuple[float, ...]  # bound of |K_I e_I|, shape (6,), N or N m
+    demand_limit: tuple[float, ...]  # bound of |tau_d|, shape (6,), N or N m
+
+
+@dataclass(frozen=True)
+class SupervisorParameters:
+    """When modes change: d_RH^L < d_RH^U < d_FR^L < d_FR^U < d_HF^U, and the detection filter.
+
+    Source: Gao et al. 2026, eq. (53). The filter (M of N, then hold) stands in front of chi;
+    1 of 1 with no hold gives the published automaton.
+    """
+
+    range_rh_lower_m: float
+    range_rh_upper_m: float
+    range_fr_lower_m: float
+    range_fr_upper_m: float
+    range_hf_upper_m: float
+    dwell_cycles: int  # N_dwell
+    detection_hits: int  # M
+    detection_window: int  # N
+    detection_hold_cycles: int  # chi stays 1 this long after the filter last passed
+
+
+@dataclass(frozen=True)
+class BumplessParameters:
+    """Each switching mechanism on its own. Source: Gao et al. 2026, eqs. (54)-(57)."""
+
+    ramp: bool = True
+    integrator_alignment: bool = True
+    warm_start_projection: bool = True
+
+
+@dataclass(frozen=True)
+class AllocationParameters:
+    """Which allocator runs and how hard it tries. Source: Gao et al. 2026, eqs. (45)-(52)."""
+
+    allocator: Allocator = "mdca"
+    solver: Solver = "osqp"
+    sqp_iterations: int = 3
+    kkt_tolerance: float = 1e-4  # of the projected gradient in bound-normalised commands
+    fault_tolerant: bool = False  # allocate with the degraded map and softened constraints
+
+
+@dataclass(frozen=True)
+class GuidanceParameters:
+    """How references are made. Source: Gao et al. 2026, eqs. (41)-(43); the speed laws are ours."""
+
+    law: PathLaw = "alos"
+    look_ahead_m: float = 5.0  # Delta
+    adaptation_gain: float = 0.002  # gamma, 1/s
+    depth_rate_mps: float = 0.02  # the depth reference moves no faster
+    reverse_speed_slope_per_s: float = 0.08  # u_d = slope * range + offset, at most the maximum
+    reverse_speed_offset_mps: float = 0.08
+    reverse_speed_max_mps: float = 0.4
+    hover_speed_gain_per_s: float = 0.1  # u_d = gain * along-track error, within +-maximum
+    hover_speed_max_mps: float = 0.1
+    speed_schedule_mps: tuple[float, ...] = (0.2, 0.8)  # surge speeds between which gains are scheduled
+
+
+@dataclass(frozen=True)
+class Parameters:
+    """Everything the autopilot is tuned with."""
+
+    forward: ModeParameters
+    reverse: ModeParameters
+    hover: ModeParameters
+    supervisor: SupervisorParameters
+    bumpless: BumplessParameters
+    allocation: AllocationParameters
+    guidance: GuidanceParameters
+
+    @property
+    def modes(self) -> tuple[ModeParameters, ModeParameters, ModeParameters]:
+        """In the order of records.FORWARD, REVERSE, HOVER."""
+        return self.forward, self.reverse, self.hover

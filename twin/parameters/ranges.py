@@ -1,0 +1,65 @@
+"""The one table of what each number may be: files, the vehicle's answers and the screen use it."""
+
+from dataclasses import dataclass
+
+MODES = ("forward", "reverse", "hover")
+ACTUATORS = -1  # as a count: one number per actuator
+
+
+@dataclass(frozen=True)
+class Range:
+    """Bounds of one number, both included, or of each number of a row (`count`)."""
+
+    path: str  # "forward.q_diagonal"
+    unit: str
+    min: float
+    max: float
+    label: str
+    count: int = 0  # 0: one number; 6: one per wrench component; ACTUATORS: one per actuator
+    live: bool = False  # may change during a mission
+
+
+# fmt: off
+_MODE = (
+    Range("q_diagonal", "1/N² or 1/(N·m)²", 0.0, 1e6, "Q, weight of the wrench error", 6, True),
+    Range("r_diagonal", "1", 1e-6, 1e6, "R, weight of the commands", ACTUATORS, True),
+    Range("lambda", "1", 1e-9, 1e3, "λ, price of commands", 0, True),
+    Range("ramp_cycles", "cycles", 1, 1000, "N_sw, ramp into this mode", 0, True),
+    Range("kp", "N or N·m per unit error", 0.0, 1e4, "K_P", 6),
+    Range("ki", "N or N·m per unit error and second", 0.0, 1e4, "K_I", 6),
+    Range("kd", "N or N·m per unit error rate", 0.0, 1e4, "K_D", 6),
+    Range("integral_limit", "N or N·m", 0.0, 1e4, "Bound of the integral action", 6),
+    Range("demand_limit", "N or N·m", 0.0, 1e5, "Bound of the demand", 6),
+)
+_FLAT = (
+    Range("supervisor.range_rh_lower_m", "m", 0.01, 1000.0, "d_RH^L, reverse to hover", live=True),
+    Range("supervisor.range_rh_upper_m", "m", 0.01, 1000.0, "d_RH^U, hover to reverse", live=True),
+    Range("supervisor.range_fr_lower_m", "m", 0.01, 1000.0, "d_FR^L, forward to reverse", live=True),
+    Range("supervisor.range_fr_upper_m", "m", 0.01, 1000.0, "d_FR^U, reverse to forward", live=True),
+    Range("supervisor.range_hf_upper_m", "m", 0.01, 1000.0, "d_HF^U, hover to forward", live=True),
+    Range("supervisor.dwell_cycles", "cycles", 0, 10000, "N_dwell, shortest stay in a mode", live=True),
+    Range("supervisor.detection_hits", "cycles", 1, 64, "M, detections needed", live=True),
+    Range("supervisor.detection_window", "cycles", 1, 64, "N, out of this many", live=True),
+    Range("supervisor.detection_hold_cycles", "cycles", 0, 10000, "Detection held for", live=True),
+    Range("allocation.sqp_iterations", "1", 1, 50, "SQP iterations per cycle"),
+    Range("allocation.kkt_tolerance", "1", 1e-12, 1.0, "KKT residual that counts as solved"),
+    Range("guidance.look_ahead_m", "m", 0.1, 200.0, "Δ, look-ahead distance"),
+    Range("guidance.adaptation_gain", "1/s", 0.0, 10.0, "γ, adaptation to drift"),
+    Range("guidance.depth_rate_mps", "m/s", 0.001, 2.0, "Fastest change of the depth reference"),
+    Range("guidance.reverse_speed_slope_per_s", "1/s", 0.0, 5.0, "Approach speed per metre of range"),
+    Range("guidance.reverse_speed_offset_mps", "m/s", 0.0, 2.0, "Approach speed at the target"),
+    Range("guidance.reverse_speed_max_mps", "m/s", 0.0, 3.0, "Fastest approach"),
+    Range("guidance.hover_speed_gain_per_s", "1/s", 0.0, 5.0, "Hover speed per metre of offset"),
+    Range("guidance.hover_speed_max_mps", "m/s", 0.0, 2.0, "Fastest correction in hover"),
+    Range("guidance.speed_schedule_mps", "m/s", 0.01, 5.0, "Surge speeds of the gain schedule", 2),
+)
+# fmt: on
+
+RANGES: tuple[Range, ...] = (
+    *(
+        Range(f"{mode}.{r.path}", r.unit, r.min, r.max, r.label, r.count, r.live)
+        for mode in MODES
+        for r in _MODE
+    ),
+    *_FLAT,
+)
