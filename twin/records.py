@@ -63,8 +63,8 @@ MODEL = np.dtype(
 
 MODE_CONTROL = np.dtype(
     [
-        ("Q", f8, 6),  # diagonal of Q
-        ("R", f8, _n),  # diagonal of R, bound-normalised commands
+        ("Q", f8, 6),  # diagonal of Q, 1/N^2 or 1/(N m)^2
+        ("R", f8, _n),  # diagonal of R, on bound-normalised commands
         ("lam", f8),  # lambda
         ("n_sw", f8),  # ramp length into this mode, cycles
         ("K_P", f8, 6),  # diagonals, on e = [u v z phi theta psi]
@@ -72,6 +72,214 @@ MODE_CONTROL = np.dtype(
         ("K_D", f8, 6),
         ("integral_limit", f8, 6),  # bound of |K_I e_I|, N or N m
         ("demand_limit", f8, 6),  # bound of |tau_d|, N or N m
+    ],
+    align=True,
+)
+
+SETTINGS = np.dtype(
+    [
+        ("dt", f8),  # control period, s
+        # supervisor: thresholds in m, counts in cycles
+        ("d_rh_l", f8),
+        ("d_rh_u", f8),
+        ("d_fr_l", f8),
+        ("d_fr_u", f8),
+        ("d_hf_u", f8),
+        ("n_dwell", i8),
+        ("hits", i8),
+        ("window", i8),
+        ("hold", i8),
+        # bumpless mechanisms
+        ("ramp", i8),
+        ("align", i8),
+        ("project", i8),
+        ("align_channels", f8, 6),  # 1 where the integrator is aligned
+        ("align_bleed", f8),  # s over which the aligned offset decays; 0 keeps it, as published
+        ("scale_integration", i8),  # 1: integration is scaled by kappa during the ramp
+        # allocation
+        ("allocator", i8),  # MDCA, WLS, PID_DIRECT
+        ("sqp_iterations", i8),
+        ("kkt_tolerance", f8),
+        ("fault_tolerant", i8),
+        ("anti_windup", f8),  # 1/s, feedback of the allocation residual into the integrals
+        # guidance
+        ("law", i8),  # ALOS of eq. (41), AALOS of Fossen and Aguiar 2024
+        ("look_ahead", f8),  # Delta, m
+        ("gamma", f8),  # adaptation gain
+        ("depth_rate", f8),  # m/s
+        ("acceleration", f8),  # of the speed reference, m/s^2
+        ("reverse_slope", f8),  # u_d = slope d + offset in R, at most reverse_max
+        ("reverse_offset", f8),
+        ("reverse_max", f8),
+        ("hover_gain", f8),  # 1/s, position error to speed
+        ("hover_max", f8),  # m/s
+        ("hover_cross_gain", f8),  # share of the cross-track law kept in H, scaled by the inflow
+        ("schedule_speed", f8),  # m/s through water above which fin channels get full gain
+        ("schedule_min", f8),  # least share of the gain
+        ("scheduled", f8, 6),  # 1 where gains follow the speed schedule
+    ],
+    align=True,
+)
+
+MDCA, WLS, PID_DIRECT = 0, 1, 2
+ALOS, AALOS = 0, 1
+
+MAX_FAULTS = 8
+MAX_OUTAGES = 16
+N_NOISE = 24
+
+PLAN = np.dtype(
+    [
+        ("n_legs", i8),
+        ("waypoint", f8, (MAX_WAYPOINTS, 3)),  # NED, m; leg i goes from i to i + 1
+        ("speed", f8, MAX_WAYPOINTS),  # of leg i, m/s
+        ("target", f8, 4),  # planned marker position NED, approach heading
+        ("standoff", f8),  # m before the marker
+        ("start", f8, 6),  # eta
+        ("start_speed", f8),  # surge through water, m/s
+        ("duration", f8),  # s
+        ("hover_hold", f8),  # s in H within d_RH^U after which the mission is complete; 0: never
+        # environment
+        ("current", f8, 3),  # NED mean, m/s
+        ("gust_std", f8),  # m/s
+        ("gust_time", f8),  # s
+        ("wave_height", f8),  # m
+        ("wave_period", f8),  # s
+        ("wave_direction", f8),  # rad, towards
+        ("tau_e", f8, 6),  # constant external load, N and N m
+        # sensors
+        ("noise_scale", f8),
+        ("n_outages", i8),
+        ("outage", f8, (MAX_OUTAGES, 2)),  # s, target not seen in between
+        # faults
+        ("n_faults", i8),
+        ("fault_actuator", i8, MAX_FAULTS),
+        ("fault_time", f8, MAX_FAULTS),
+        ("fault_effectiveness", f8, MAX_FAULTS),
+        ("fault_blend", f8, MAX_FAULTS),
+    ],
+    align=True,
+)
+
+SENSORS = np.dtype(
+    [
+        ("attitude_std", f8),  # rad
+        ("heading_bias_std", f8),  # rad, drawn once a run
+        ("rate_std", f8),  # rad/s
+        ("dvl_std", f8),  # m/s
+        ("dvl_water_std", f8),  # m/s
+        ("dvl_period", i8),  # cycles
+        ("dvl_dropout", f8),  # z score below which a sample is lost
+        ("depth_std", f8),  # m
+        ("camera_position", f8, 3),  # body, m
+        ("camera_yaw", f8),  # rad, of the optical axis in body axes
+        ("camera_pitch", f8),
+        ("camera_half_angle", f8),  # rad
+        ("camera_range_max", f8),  # m
+        ("camera_range_min", f8),
+        ("camera_period", i8),  # cycles
+        ("camera_dropout", f8),  # z score
+        ("camera_range_std", f8),  # share of range
+        ("camera_bearing_std", f8),  # rad
+    ],
+    align=True,
+)
+
+MEASUREMENT = np.dtype(
+    [
+        ("attitude", f8, 3),
+        ("rates", f8, 3),
+        ("velocity", f8, 3),  # over ground, body
+        ("velocity_valid", i8),  # 1 in a cycle with a new sample
+        ("water_velocity", f8, 3),  # through water, body
+        ("depth", f8),
+        ("detected", i8),  # target seen
+        ("fresh", i8),  # 1 in a cycle with a new camera frame
+        ("target", f8, 3),  # range m, bearing rad, elevation rad in camera axes
+        ("u_feedback", f8, _n),
+    ],
+    align=True,
+)
+
+PLANT = np.dtype(
+    [
+        ("time", f8),
+        ("eta", f8, 6),
+        ("nu", f8, 6),
+        ("u", f8, _n),
+        ("gust", f8, 3),
+        ("current", f8, 3),  # NED at the vehicle, m/s
+        ("current_dot", f8, 3),
+        ("tau", f8, 6),  # actuator wrench at the last step's end
+        ("effectiveness", f8, _n),
+        ("heading_bias", f8),
+    ],
+    align=True,
+)
+
+AUTOPILOT = np.dtype(
+    [
+        ("cycle", i8),  # k
+        ("time", f8),
+        # navigation
+        ("eta", f8, 6),
+        ("nu", f8, 6),
+        ("current", f8, 3),
+        ("nu_r", f8, 6),
+        ("target", f8, 3),
+        ("fixes", i8),
+        # supervisor
+        ("mode", i8),
+        ("previous_mode", i8),
+        ("switch_cycle", i8),  # k_s of the last mode switch
+        ("history", i8),  # raw detections, newest in bit 0
+        ("hold_left", i8),
+        ("detected", i8),
+        ("range", f8),
+        ("hover_time", f8),  # s in H and in range
+        ("holding", i8),  # 1 while paused: hold `hold_point`
+        ("hold_point", f8, 4),  # NED and heading
+        # guidance
+        ("sway", i8),  # 1 when the vehicle can push sideways
+        ("leg", i8),
+        ("b", f8),
+        ("reference", f8, 6),
+        ("depth_rate", f8),
+        ("cross_track", f8),
+        ("along_track", f8),
+        # pid
+        ("error", f8, 6),
+        ("error_rate", f8, 6),
+        ("integral", f8, 6),  # K_I e_I, N or N m
+        ("bias", f8, 6),  # aligned offset, bled off
+        ("schedule", f8),
+        # switching
+        ("ramp_cycle", i8),  # k at which the present ramp began
+        ("ramp_length", f8),
+        ("kappa", f8),
+        ("tau_plus", f8, 6),
+        ("tau_minus", f8, 6),
+        ("tau_d", f8, 6),
+        ("Q", f8, 6),
+        ("R", f8, _n),
+        ("lam", f8),
+        ("Q_minus", f8, 6),
+        ("R_minus", f8, _n),
+        ("lam_minus", f8),
+        # allocation
+        ("u", f8, _n),
+        ("u_lower", f8, _n),
+        ("u_upper", f8, _n),
+        ("du_max", f8, _n),
+        ("tau_c", f8, 6),
+        ("saturated", i8),
+        ("status", i8),
+        ("iterations", i8),
+        ("kkt", f8),
+        ("cost", f8),
+        ("slack", f8, 6),
+        ("solve_time", f8),
+        ("effectiveness", f8, _n),  # as the allocator believes
     ],
     align=True,
 )

@@ -1,0 +1,63 @@
+"""Dead reckoning from INS, DVL and depth; the target's place from camera fixes.
+
+Small fixed-gain filters: the estimate must be smooth enough for derivative action and must not
+jump when a sample is missing. The autopilot works on this estimate alone.
+"""
+
+from math import exp
+
+from twin.compiled import jit
+from twin.frames import body_to_ned, ned_to_body, wrap
+from twin.sensors import target_position
+
+_T_VELOCITY = 0.25  # s, smoothing of DVL velocity
+_T_DEPTH = 0.5  # s, depth sensor against integrated heave
+_T_RATE = 0.08  # s, smoothing of gyro rates
+_T_ATTITUDE = 0.15  # s, INS attitude against integrated rates
+_T_CURRENT = 8.0  # s, current estimate
+_T_TARGET = 0.6  # s of camera frames, target estimate
+
+
+@jit
+def navigate(settings, sensors, m, a, work):
+    """Update the autopilot record `a` from the measurement `m`. work: scratch, at least 6 floats."""
+    dt = settings.dt
+    ned = work[0:3]
+    fresh_start = a.cycle == 0
+    k_rate = 1.0 if fresh_start else 1.0 - exp(-dt / _T_RATE)
+    k_att = 1.0 if fresh_start else 1.0 - exp(-dt / _T_ATTITUDE)
+    for k in range(3):
+        a.nu[3 + k] += k_rate * (m.rates[k] - a.nu[3 + k])
+        predicted = a.eta[3 + k] + dt * a.nu[3 + k]
+        a.eta[3 + k] = wrap(predicted + k_att * wrap(m.attitude[k] - predicted))
+
+    if m.velocity_valid == 1:
+        elapsed = dt * max(1, sensors.dvl_period)
+        k_vel = 1.0 if fresh_start else 1.0 - exp(-elapsed / _T_VELOCITY)
+        k_cur = 1.0 if fresh_start else 1.0 - exp(-elapsed / _T_CURRENT)
+        for k in range(3):
+            a.nu[k] += k_vel * (m.velocity[k] - a.nu[k])
+            ned[k] = m.velocity[k] - m.water_velocity[k]
+        body_to_ned(a.eta[3], a.eta[4], a.eta[5], ned, ned)
+        for k in range(3):
+            a.current[k] += k_cur * (ned[k] - a.current[k])
+
+    body_to_ned(a.eta[3], a.eta[4], a.eta[5], a.nu, ned)
+    for k in range(3):
+        a.eta[k] += dt * ned[k]
+    a.depth_rate = ned[2]
+    k_depth = 1.0 if fresh_start else 1.0 - exp(-dt / _T_DEPTH)
+    a.eta[2] += k_depth * (m.depth - a.eta[2])
+
+    ned_to_body(a.eta[3], a.eta[4], a.eta[5], a.current, ned)
+    for k in range(3):
+        a.nu_r[k] = a.nu[k] - ned[k]
+        a.nu_r[3 + k] = a.nu[3 + k]
+
+    if m.fresh == 1 and m.detected == 1:
+        target_position(sensors, a.eta, m.target, ned)
+        gain = 1.0 - exp(-dt * max(1, sensors.camera_period) / _T_TARGET)
+        gain = max(gain, 1.0 / (1.0 + a.fixes))  # the first fixes replace the planned place
+        for k in range(3):
+            a.target[k] += gain * (ned[k] - a.target[k])
+        a.fixes += 1
