@@ -1,0 +1,1 @@
+"""Control allocation: a demanded wrench becomes actuator commands."""
