@@ -13,7 +13,7 @@ STATUS = "server/status"
 
 # full message name -> class, for every message of the contract
 MESSAGES: dict[str, type[Message]] = {
-    descriptor.full_name: getattr(pb, name) for name, descriptor in pb.DESCRIPTOR.message_types_by_name.items()
+    kind.full_name: getattr(pb, name) for name, kind in pb.DESCRIPTOR.message_types_by_name.items()
 }
 
 
