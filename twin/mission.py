@@ -24,7 +24,7 @@ from twin.mission_fields import (
     wrench,
 )
 from twin.problems import ProblemsError
-from twin.records import MAX_ACTUATORS, MAX_WAYPOINTS
+from twin.records import MAX_FAULTS, MAX_OUTAGES, MAX_WAYPOINTS
 
 if TYPE_CHECKING:
     from twin.vehicle import Vehicle
@@ -113,7 +113,7 @@ class Detection:
     """What this mission changes of the vehicle's target camera; what is left out stays."""
 
     range_max_m: Annotated[float | None, Number("Farthest detection", 0.1, 200.0, "m")] = None
-    field_of_view_deg: Annotated[float | None, Number("Full angle of view", 1.0, 179.0, "deg")] = None
+    field_of_view_half_deg: Annotated[float | None, Number("Half angle of view", 1.0, 90.0, "deg")] = None
     dropout_probability: Annotated[float | None, Number("Share of frames missed", 0.0, 1.0)] = None
 
 
@@ -133,7 +133,7 @@ class Sensors:
         float, Number("Factor on every noise of the vehicle file; 0 is none", 0.0, 20.0)
     ] = 1.0
     detection: Annotated[Detection | None, Part("Target camera")] = None
-    outages: Annotated[tuple[Outage, ...], Entries("Times without the target", 0, 64)] = ()
+    outages: Annotated[tuple[Outage, ...], Entries("Times without the target", 0, MAX_OUTAGES)] = ()
 
 
 @dataclass(frozen=True)
@@ -172,7 +172,7 @@ class Mission:
     seed: Annotated[int, Number("Seed of every random number", 0, 2**32 - 1)] = 0
     environment: Annotated[Environment, Part("Sea")] = Environment()
     sensors: Annotated[Sensors, Part("Sensors")] = Sensors()
-    faults: Annotated[tuple[Fault, ...], Entries("Faults of actuators", 0, MAX_ACTUATORS)] = ()
+    faults: Annotated[tuple[Fault, ...], Entries("Faults of actuators", 0, MAX_FAULTS)] = ()
     parameters: Annotated[dict[str, Any], Part("Overrides of the vehicle's control parameters")] = field(
         default_factory=dict
     )

@@ -61,7 +61,4 @@ def _check_order(parameters: Parameters) -> list[tuple[str, object, str]]:
     if supervisor.detection_hits > supervisor.detection_window:
         rule = f"must not exceed detection_window ({supervisor.detection_window})"
         found.append(("supervisor.detection_hits", supervisor.detection_hits, rule))
-    schedule = parameters.guidance.speed_schedule_mps
-    if any(not a < b for a, b in pairwise(schedule)):
-        found.append(("guidance.speed_schedule_mps", list(schedule), "must ascend"))
     return found

@@ -3,11 +3,13 @@
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from twin.parameters.model import BumplessParameters, ModeParameters, Parameters, SupervisorParameters
+from twin.parameters.model import ModeParameters, Parameters, SupervisorParameters
 from twin.parameters.ranges import MODES
 
 if TYPE_CHECKING:
     from twin.contract import bumpless_pb2
+
+MECHANISMS = ("ramp", "integrator_alignment", "warm_start_projection")
 
 
 def to_message(parameters: Parameters) -> "bumpless_pb2.Parameters":
@@ -24,7 +26,7 @@ def to_message(parameters: Parameters) -> "bumpless_pb2.Parameters":
         target.ramp_cycles = mode.ramp_cycles
     for key in SupervisorParameters.__dataclass_fields__:
         setattr(message.supervisor, key, getattr(parameters.supervisor, key))
-    for key in BumplessParameters.__dataclass_fields__:
+    for key in MECHANISMS:
         setattr(message.bumpless, key, getattr(parameters.bumpless, key))
     return message
 
@@ -46,6 +48,6 @@ def from_message(message: "bumpless_pb2.Parameters", base: Parameters) -> Parame
         keys = SupervisorParameters.__dataclass_fields__
         changed["supervisor"] = SupervisorParameters(**{k: getattr(message.supervisor, k) for k in keys})
     if message.HasField("bumpless"):
-        keys = BumplessParameters.__dataclass_fields__
-        changed["bumpless"] = BumplessParameters(**{k: getattr(message.bumpless, k) for k in keys})
+        mechanisms = {k: getattr(message.bumpless, k) for k in MECHANISMS}
+        changed["bumpless"] = replace(base.bumpless, **mechanisms)
     return replace(base, **changed)

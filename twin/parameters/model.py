@@ -52,11 +52,19 @@ class SupervisorParameters:
 
 @dataclass(frozen=True)
 class BumplessParameters:
-    """Each switching mechanism on its own. Source: Gao et al. 2026, eqs. (54)-(57)."""
+    """Each switching mechanism on its own, and how integrators are aligned.
+
+    Source: Gao et al. 2026, eqs. (54)-(57); aligned are depth and heading there, and nothing bleeds.
+    Differs: other channels may be aligned too, the aligned offset may decay, and integration may be
+    scaled by kappa during the ramp.
+    """
 
     ramp: bool = True
     integrator_alignment: bool = True
     warm_start_projection: bool = True
+    align_channels: tuple[float, ...] = (0.0, 0.0, 1.0, 0.0, 0.0, 1.0)  # 1 where aligned, shape (6,)
+    align_bleed_s: float = 0.0  # time constant of the aligned offset's decay; 0 keeps it
+    scale_integration: bool = False
 
 
 @dataclass(frozen=True)
@@ -68,22 +76,30 @@ class AllocationParameters:
     sqp_iterations: int = 3
     kkt_tolerance: float = 1e-4  # of the projected gradient in bound-normalised commands
     fault_tolerant: bool = False  # allocate with the degraded map and softened constraints
+    anti_windup_per_s: float = 1.0  # feedback of the allocation residual into the integrals
 
 
 @dataclass(frozen=True)
 class GuidanceParameters:
-    """How references are made. Source: Gao et al. 2026, eqs. (41)-(43); the speed laws are ours."""
+    """How references are made, and how gains follow speed.
+
+    Source: Gao et al. 2026, eqs. (41)-(44); the speed laws are ours.
+    """
 
     law: PathLaw = "alos"
     look_ahead_m: float = 5.0  # Delta
     adaptation_gain: float = 0.002  # gamma, 1/s
     depth_rate_mps: float = 0.02  # the depth reference moves no faster
+    acceleration_mps2: float = 0.05  # nor does the speed reference
     reverse_speed_slope_per_s: float = 0.08  # u_d = slope * range + offset, at most the maximum
     reverse_speed_offset_mps: float = 0.08
     reverse_speed_max_mps: float = 0.4
     hover_speed_gain_per_s: float = 0.1  # u_d = gain * along-track error, within +-maximum
     hover_speed_max_mps: float = 0.1
-    speed_schedule_mps: tuple[float, ...] = (0.2, 0.8)  # surge speeds between which gains are scheduled
+    hover_cross_gain: float = 0.5  # share of the cross-track law kept in hover, scaled by the inflow
+    schedule_speed_mps: float = 0.3  # speed through water above which scheduled channels get full gain
+    schedule_min: float = 0.2  # least share of their gain
+    scheduled_channels: tuple[float, ...] = (0.0, 0.0, 0.0, 0.0, 1.0, 1.0)  # 1 where scheduled, shape (6,)
 
 
 @dataclass(frozen=True)
