@@ -71,14 +71,13 @@ def address_of(typingctx, pointer):
 
 
 @intrinsic
-def int32_at(typingctx, address):
-    """The C `int` stored at an integer address."""
+def ints_at(typingctx, address):
+    """Pointer to int64 from an integer address."""
 
     def codegen(context, builder, signature, arguments):
-        value = builder.load(builder.inttoptr(arguments[0], ir.IntType(32).as_pointer()))
-        return builder.sext(value, ir.IntType(64))
+        return builder.inttoptr(arguments[0], ir.IntType(64).as_pointer())
 
-    return types.int64(types.int64), codegen
+    return INT_P(types.int64), codegen
 
 
 def _foreign_call(integer_arguments):
@@ -102,6 +101,12 @@ def _foreign_call(integer_arguments):
 def call_1(typingctx, function, a):
     """int f(a)."""
     return _foreign_call(1)(typingctx, function, a)
+
+
+@intrinsic
+def call_2(typingctx, function, a, b):
+    """int f(a, b)."""
+    return _foreign_call(2)(typingctx, function, a, b)
 
 
 @intrinsic

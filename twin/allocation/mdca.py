@@ -1,0 +1,117 @@
+"""MD-CA: one constrained Gauss-Newton SQP for all modes.
+
+u* = argmin ||tau_d - G_m(u)||_Q^2 + lambda ||u||_R^2 over the cycle's bounds, eq. (47)-(52) of
+Gao et al. 2026, in the decision variables of `wrench_map`. Each step solves a box QP; a step is
+accepted only if the true cost falls (backtracking on eta_j), so that the answer is never worse than
+the projected start.
+"""
+
+from math import isfinite
+
+from twin.allocation.kkt import kkt_residual
+from twin.allocation.qp import solve_box_qp
+from twin.allocation.qp_status import SOLVED as QP_SOLVED
+from twin.allocation.wrench_map import to_command, to_x, wrench_map
+from twin.compiled import jit
+
+SOLVED, BUDGET_SPENT, INFEASIBLE, FALLBACK, REFUSED = 1, 2, 3, 4, 5  # SolveStatus of the contract
+_BACKTRACKS = 6
+
+
+@jit
+def allocation_cost(Q, R, lam, tau_d, tau, x, n):
+    """||tau_d - tau||_Q^2 + lambda ||x||_R^2 with diagonal Q (6,) and R (8,)."""
+    cost = 0.0
+    for k in range(6):
+        r = tau_d[k] - tau[k]
+        cost += Q[k] * r * r
+    for i in range(n):
+        cost += lam * R[i] * x[i] * x[i]
+    return cost
+
+
+@jit
+def normal_equations(Q, R, lam, tau_d, tau, jacobian, x, n, H, g):
+    """Gauss-Newton Hessian H = G'QG + lambda R and gradient g = -G'Q r + lambda R x (halved cost)."""
+    for i in range(n):
+        s = lam * R[i] * x[i]
+        for k in range(6):
+            s -= jacobian[k, i] * Q[k] * (tau_d[k] - tau[k])
+        g[i] = s
+        for j in range(i + 1):
+            h = 0.0
+            for k in range(6):
+                h += jacobian[k, i] * Q[k] * jacobian[k, j]
+            H[i, j] = h
+            H[j, i] = h
+        H[i, i] += lam * R[i] + 1e-9
+
+
+@jit
+def refuse(model, a):
+    """Hold the last command within this cycle's bounds; say so."""
+    for i in range(model.n_u):
+        a.u[i] = min(max(a.u[i], a.u_lower[i]), a.u_upper[i])
+    a.status = REFUSED
+    a.iterations = 0
+
+
+@jit
+def allocate_mdca(handle, settings, model, a, w):
+    """Fill a.u (8,), a.status, a.iterations, a.kkt, a.cost for demand a.tau_d (6,).
+
+    a.u holds the last command on entry and a.u_lower, a.u_upper this cycle's bounds; weights are
+    a.Q, a.R, a.lam; flow a.nu_r; effectiveness a.effectiveness. w: an ALLOCATION_WORK record.
+    Returns nothing; a demand that is not finite is refused.
+    """
+    n = model.n_u
+    for k in range(6):
+        if not isfinite(a.tau_d[k]) or not isfinite(a.nu_r[k]):
+            refuse(model, a)
+            return
+    x, lower, upper, step, trial = w.x, w.lower, w.upper, w.step, w.trial
+    for i in range(n):
+        w.u_previous[i] = a.u[i]
+        lower[i], upper[i] = to_x(model, i, a.u_lower[i]), to_x(model, i, a.u_upper[i])
+        start = to_x(model, i, a.u[i]) if settings.project == 1 else 0.0
+        x[i] = min(max(start, lower[i]), upper[i])
+    wrench_map(model, x, w.u_previous, a.effectiveness, a.nu_r, w.tau, w.jacobian)
+    cost = allocation_cost(a.Q, a.R, a.lam, a.tau_d, w.tau, x, n)
+    status = BUDGET_SPENT
+    fallback = False
+    a.iterations = 0
+    a.kkt = 0.0
+    while True:
+        normal_equations(a.Q, a.R, a.lam, a.tau_d, w.tau, w.jacobian, x, n, w.H, w.g)
+        for i in range(n):
+            step[i] = 0.0
+            w.lb[i], w.ub[i] = lower[i] - x[i], upper[i] - x[i]
+        a.kkt = kkt_residual(w.H, w.g, w.lb, w.ub, step, n)
+        if a.kkt <= settings.kkt_tolerance:
+            status = SOLVED
+            break
+        if a.iterations >= settings.sqp_iterations:
+            break
+        a.iterations += 1
+        if solve_box_qp(handle, w.H, w.g, w.lb, w.ub, step, n) != QP_SOLVED:
+            fallback = True
+        eta, accepted = 1.0, False
+        for _ in range(_BACKTRACKS):
+            for i in range(n):
+                trial[i] = min(max(x[i] + eta * step[i], lower[i]), upper[i])
+            wrench_map(model, trial, w.u_previous, a.effectiveness, a.nu_r, w.tau, w.jacobian)
+            trial_cost = allocation_cost(a.Q, a.R, a.lam, a.tau_d, w.tau, trial, n)
+            if trial_cost < cost:
+                accepted = True
+                break
+            eta *= 0.5
+        if not accepted:
+            wrench_map(model, x, w.u_previous, a.effectiveness, a.nu_r, w.tau, w.jacobian)
+            break
+        cost = trial_cost
+        for i in range(n):
+            x[i] = trial[i]
+    for i in range(n):
+        a.u[i] = min(max(to_command(model, i, x[i]), a.u_lower[i]), a.u_upper[i])
+    a.cost = cost
+    a.status = FALLBACK if fallback else status
