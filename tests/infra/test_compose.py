@@ -1,0 +1,73 @@
+"""The containers run the same three processes as a field machine; their words must fit the command line."""
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+from ruamel.yaml import YAML
+
+from twin.contract.keys import check_vehicle_id
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+@pytest.fixture(scope="module")
+def services() -> dict[str, Any]:
+    """The services of docker-compose.yml."""
+    return YAML(typ="safe").load(ROOT / "docker-compose.yml")["services"]
+
+
+def test_three_separate_services(services: dict[str, Any]) -> None:
+    """Router, server and vehicle must be able to fail and restart one by one."""
+    assert set(services) == {"router", "server", "vehicle"}
+    assert all(service["init"] and service["restart"] == "unless-stopped" for service in services.values())
+    assert services["server"]["depends_on"] == services["vehicle"]["depends_on"] == ["router"]
+
+
+def test_commands_exist_with_these_options(services: dict[str, Any]) -> None:
+    """A renamed command or option must not be found out in the field."""
+    from typer.main import get_command
+
+    from server.cli.main import app
+
+    group: Any = get_command(app)
+    for name in ("server", "vehicle"):
+        verb, *options = services[name]["command"]
+        command = group.commands[verb]
+        context = command.make_context(verb, list(options), resilient_parsing=True)
+        assert not context.args
+        known = {flag for parameter in command.params for flag in parameter.opts}
+        assert {word for word in options if word.startswith("--")} <= known
+
+
+def test_settings_understand_the_environment(
+    services: dict[str, Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Every variable must be a setting of the server, with a value it can read."""
+    from server.settings import Settings
+
+    environment = services["server"]["environment"]
+    assert environment["BUMPLESS_TOKEN"].startswith("${BUMPLESS_TOKEN:?")  # compose refuses without one
+    for name, value in environment.items():
+        monkeypatch.setenv(name, "a secret of our own" if name == "BUMPLESS_TOKEN" else str(value))
+    settings = Settings().model_dump()
+    fields = {name.removeprefix("BUMPLESS_").lower() for name in environment}
+    assert fields <= settings.keys()
+    assert settings["manage_node"] is False
+    assert list(settings["zenoh_connect"]) == ["tcp/router:7447"]
+
+
+def test_everyone_meets_at_the_router(services: dict[str, Any]) -> None:
+    """Server and vehicle must dial the address that the router listens on."""
+    vehicle = services["vehicle"]["command"]
+    router = services["router"]["command"]
+    port = router[router.index("--listen") + 1].rsplit(":", 1)[1]
+    assert vehicle[vehicle.index("--connect") + 1] == f"tcp/router:{port}"
+    assert "--no-multicast-scouting" in router
+    check_vehicle_id(vehicle[vehicle.index("--id") + 1])
+
+
+def test_console_is_published_on_loopback_only(services: dict[str, Any]) -> None:
+    """Plain HTTP with one shared token: the console must not be offered to a network by default."""
+    published = {name: service.get("ports", []) for name, service in services.items()}
+    assert published == {"router": [], "server": ["127.0.0.1:8080:8080"], "vehicle": []}
