@@ -163,7 +163,8 @@ PLAN = np.dtype(
 
 SENSORS = np.dtype(
     [
-        ("attitude_std", f8),  # rad
+        ("roll_pitch_std", f8),  # rad
+        ("heading_std", f8),  # rad
         ("heading_bias_std", f8),  # rad, drawn once a run
         ("rate_std", f8),  # rad/s
         ("dvl_std", f8),  # m/s
@@ -171,9 +172,9 @@ SENSORS = np.dtype(
         ("dvl_period", i8),  # cycles
         ("dvl_dropout", f8),  # z score below which a sample is lost
         ("depth_std", f8),  # m
+        ("depth_bias_std", f8),  # m, drawn once a run
         ("camera_position", f8, 3),  # body, m
-        ("camera_yaw", f8),  # rad, of the optical axis in body axes
-        ("camera_pitch", f8),
+        ("camera_pitch", f8),  # rad, of the optical axis below x_b
         ("camera_half_angle", f8),  # rad
         ("camera_range_max", f8),  # m
         ("camera_range_min", f8),
@@ -213,6 +214,7 @@ PLANT = np.dtype(
         ("tau", f8, 6),  # actuator wrench at the last step's end
         ("effectiveness", f8, _n),
         ("heading_bias", f8),
+        ("depth_bias", f8),
     ],
     align=True,
 )
@@ -280,6 +282,28 @@ AUTOPILOT = np.dtype(
         ("slack", f8, 6),
         ("solve_time", f8),
         ("effectiveness", f8, _n),  # as the allocator believes
+    ],
+    align=True,
+)
+
+ALLOCATION_WORK = np.dtype(
+    [
+        ("x", f8, _n),
+        ("lower", f8, _n),
+        ("upper", f8, _n),
+        ("step", f8, _n),
+        ("trial", f8, _n),
+        ("u_previous", f8, _n),
+        ("healthy", f8, _n),
+        ("lb", f8, _n),
+        ("ub", f8, _n),
+        ("g", f8, _n),
+        ("H", f8, (_n, _n)),
+        ("jacobian", f8, (6, _n)),
+        ("tau", f8, 6),
+        ("demand", f8, 6),
+        ("channel", f8, 6),
+        ("flow", f8, 6),
     ],
     align=True,
 )

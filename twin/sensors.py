@@ -23,10 +23,8 @@ def camera_view(sensors, eta, target, out):
     x = rel[0] - sensors.camera_position[0]
     y = rel[1] - sensors.camera_position[1]
     z = rel[2] - sensors.camera_position[2]
-    cy, sy = cos(sensors.camera_yaw), sin(sensors.camera_yaw)
-    x, y = cy * x + sy * y, -sy * x + cy * y
     cp, sp = cos(sensors.camera_pitch), sin(sensors.camera_pitch)
-    x, z = cp * x - sp * z, sp * x + cp * z
+    x, z = cp * x + sp * z, -sp * x + cp * z
     out[0] = sqrt(x * x + y * y + z * z)
     out[1] = atan2(y, x)
     out[2] = atan2(z, sqrt(x * x + y * y))
@@ -37,10 +35,11 @@ def measure(sensors, plan, plant, cycle, noise, m):
     """Fill the measurement record `m` from the plant. Source: Gao et al. 2026, sec. 4.1 (sensor suite)."""
     s = plan.noise_scale
     for k in range(3):
-        m.attitude[k] = plant.eta[3 + k] + s * sensors.attitude_std * noise[3 + k]
+        std = sensors.heading_std if k == 2 else sensors.roll_pitch_std
+        m.attitude[k] = plant.eta[3 + k] + s * std * noise[3 + k]
         m.rates[k] = plant.nu[3 + k] + s * sensors.rate_std * noise[6 + k]
     m.attitude[2] += s * plant.heading_bias
-    m.depth = plant.eta[2] + s * sensors.depth_std * noise[9]
+    m.depth = plant.eta[2] + s * (plant.depth_bias + sensors.depth_std * noise[9])
     for i in range(m.u_feedback.shape[0]):
         m.u_feedback[i] = plant.u[i]
 
@@ -78,9 +77,7 @@ def target_position(sensors, eta, view, out):
     ce, se = cos(view[2]), sin(view[2])
     x, y, z = view[0] * ce * cos(view[1]), view[0] * ce * sin(view[1]), view[0] * se
     cp, sp = cos(sensors.camera_pitch), sin(sensors.camera_pitch)
-    x, z = cp * x + sp * z, -sp * x + cp * z
-    cy, sy = cos(sensors.camera_yaw), sin(sensors.camera_yaw)
-    x, y = cy * x - sy * y, sy * x + cy * y
+    x, z = cp * x - sp * z, sp * x + cp * z
     out[0] = x + sensors.camera_position[0]
     out[1] = y + sensors.camera_position[1]
     out[2] = z + sensors.camera_position[2]

@@ -1,0 +1,97 @@
+"""The closed loop, compiled: one cycle for the live node, a whole run for everything else.
+
+Both call the same functions, so what is fast is also what flies.
+"""
+
+from math import hypot, nan
+
+from twin.actuators import total_wrench
+from twin.autopilot import autopilot_step, stop_actuators
+from twin.compiled import jit
+from twin.guidance import observation_point
+from twin.navigation import navigate
+from twin.plant import step_plant
+from twin.sensors import measure
+
+IDLE, RUNNING, PAUSED, COMPLETED, ABORTED = 1, 2, 3, 4, 5  # MissionPhase of the contract
+SUBSTEPS = 2  # Runge-Kutta steps per control period
+
+
+@jit
+def write_row(settings, plan, model, plant, m, a, phase, row, work):
+    """Copy this cycle into a LOG row. work: scratch, at least 3 floats."""
+    row.time, row.cycle, row.phase = a.time - settings.dt, a.cycle - 1, phase
+    row.mode, row.previous_mode, row.kappa = a.mode, a.previous_mode, a.kappa
+    since = max(0, a.cycle - 1 - max(a.switch_cycle, 0))
+    row.time_in_mode = since * settings.dt
+    waited = a.cycle - 1 - a.switch_cycle
+    row.dwell_remaining = max(0, settings.n_dwell - waited) * settings.dt
+    row.range, row.detected_raw, row.detected = a.range, m.detected, a.detected
+    row.depth, row.cross_track, row.along_track = m.depth, a.cross_track, a.along_track
+    row.leg, row.leg_count = a.leg, plan.n_legs
+    row.status, row.iterations, row.kkt, row.cost = a.status, a.iterations, a.kkt, a.cost
+    row.solve_time = a.solve_time
+    total = 0.0
+    for k in range(6):
+        row.eta_hat[k], row.nu_hat[k] = a.eta[k], a.nu[k]
+        row.reference[k], row.error[k] = a.reference[k], a.error[k]
+        row.integral[k] = a.integral[k] + a.bias[k]
+        row.tau_d[k], row.tau_plus[k], row.tau_minus[k] = a.tau_d[k], a.tau_plus[k], a.tau_minus[k]
+        row.tau_c[k] = a.tau_c[k]
+        row.slack[k] = a.slack[k]
+        row.eta[k], row.nu[k], row.tau[k] = plant.eta[k], plant.nu[k], plant.tau[k]
+        total += a.Q[k] * (a.tau_d[k] - a.tau_c[k]) ** 2
+    row.residual_norm = total**0.5
+    for i in range(model.n_u):
+        row.u[i], row.u_feedback[i] = a.u[i], m.u_feedback[i]
+        row.u_lower[i], row.u_upper[i], row.du_max[i] = a.u_lower[i], a.u_upper[i], a.du_max[i]
+        row.effectiveness[i] = plant.effectiveness[i]
+    observation_point(plan, a, row.observation_point)
+    for k in range(3):
+        row.nu_r_hat[k], row.current_hat[k] = a.nu_r[k], a.current[k]
+        row.target_measured[k] = m.target[k] if m.detected == 1 else nan
+        row.target[k] = a.target[k]
+        row.current[k] = plant.current[k]
+        work[k] = plan.target[k]
+    row.target[3] = plan.target[3]
+    observation_point(plan, plan, work)
+    row.range_true = hypot(work[0] - plant.eta[0], work[1] - plant.eta[1])
+
+
+@jit
+def closed_loop(handle, settings, modes, sensors, plan, model, plant, m, a, w, phase, change, noise, row, work):
+    """One control cycle of plant and autopilot; fills `row`. Returns the phase after it.
+
+    noise (N_NOISE,): this cycle's standard normal samples. While idle the plant is moored.
+    """
+    if phase == IDLE:
+        stop_actuators(settings, model, a)
+        write_row(settings, plan, model, plant, m, a, phase, row, work)
+        return phase
+    measure(sensors, plan, plant, a.cycle, noise, m)
+    if phase == ABORTED:
+        navigate(settings, sensors, m, a, work)
+        stop_actuators(settings, model, a)
+    else:
+        autopilot_step(handle, settings, modes, sensors, plan, model, m, a, w, change, work)
+    write_row(settings, plan, model, plant, m, a, phase, row, work)
+    step_plant(model, plan, plant, a.u, settings.dt, SUBSTEPS, noise, work)
+    if phase == RUNNING:
+        if plan.hover_hold > 0.0 and a.hover_time >= plan.hover_hold:
+            return COMPLETED
+        if a.time >= plan.duration:
+            return COMPLETED
+    return phase
+
+
+@jit
+def run_batch(handle, settings, modes, sensors, plan, model, plant, m, a, w, noise, log, work):
+    """Fly up to len(log) cycles from a started mission. Returns (rows written, phase at the end)."""
+    phase = RUNNING
+    for k in range(log.shape[0]):
+        phase = closed_loop(
+            handle, settings, modes, sensors, plan, model, plant, m, a, w, phase, 0, noise[k], log[k], work
+        )
+        if phase != RUNNING:
+            return k + 1, phase
+    return log.shape[0], phase

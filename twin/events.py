@@ -1,0 +1,85 @@
+"""What happened, in sentences an operator can act on: one entry per switch, loss, find and fallback."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+INFO, WARNING, ALARM = 1, 2, 3  # Severity of the contract
+MODE_NAMES = ("forward", "reverse", "hover")
+_STATUS = {3: "bounds contradict each other", 4: "the QP solver failed; built-in active set used", 5: "demand refused"}
+
+
+@dataclass(frozen=True)
+class TwinEvent:
+    """One event; time_s is mission time."""
+
+    severity: int
+    code: str
+    text: str
+    details: dict[str, str] = field(default_factory=dict)
+    time_s: float = 0.0
+
+
+class EventWriter:
+    """Collects events until they are drained."""
+
+    def __init__(self) -> None:
+        self._events: list[TwinEvent] = []
+
+    def add(
+        self, code: str, text: str, details: dict[str, str], severity: int = INFO, time_s: float = 0.0
+    ) -> None:
+        """Append one event."""
+        self._events.append(TwinEvent(severity, code, text, details, time_s))
+
+    def drain(self) -> list[TwinEvent]:
+        """All events since the last call, oldest first."""
+        events, self._events = self._events, []
+        return events
+
+
+def switch_reason(before: int, after: int, row: np.ndarray, s: np.ndarray) -> tuple[str, str]:
+    """(why the mode changed, what would have kept it), from eq. (53)'s guards at this row."""
+    d, seen = row["range"], bool(row["detected"])
+    if (before, after) == (0, 1):
+        return f"target seen and range {d:.2f} m <= {s['d_fr_l']:.2f} m", "a range above it, or no detection"
+    if (before, after) == (1, 2):
+        return f"target seen and range {d:.2f} m <= {s['d_rh_l']:.2f} m", "a range above it, or no detection"
+    if after == 0:
+        limit = s["d_fr_u"] if before == 1 else s["d_hf_u"]
+        if not seen:
+            return "target lost", "a detection within the hold time"
+        return f"range {d:.2f} m >= {limit:.2f} m", "a range below it"
+    return f"range {d:.2f} m >= {s['d_rh_u']:.2f} m", "a range below it"
+
+
+def row_events(out: EventWriter, last: np.ndarray, row: np.ndarray, settings: np.ndarray) -> None:
+    """Compare two consecutive LOG rows and add what an operator should hear of."""
+    time_s = float(row["time"])
+    if row["phase"] == 1 or last["phase"] == 1 or last["cycle"] + 1 != row["cycle"]:
+        return
+    if row["mode"] != last["mode"]:
+        before, after = int(last["mode"]), int(row["mode"])
+        why, unless = switch_reason(before, after, row, settings)
+        out.add(
+            "mode_switch",
+            f"{MODE_NAMES[before].capitalize()} to {MODE_NAMES[after]}: {why}.",
+            {
+                "from": MODE_NAMES[before],
+                "to": MODE_NAMES[after],
+                "range_m": f"{row['range']:.3f}",
+                "detected": str(bool(row["detected"])).lower(),
+                "dwelt_s": f"{last['time_in_mode'] + settings['dt']:.2f}",
+                "dwell_s": f"{settings['n_dwell'] * settings['dt']:.2f}",
+                "reason": why,
+                "unless": unless,
+            },
+            time_s=time_s,
+        )
+    if row["detected"] != last["detected"]:
+        if row["detected"]:
+            out.add("target_found", f"Target found at {row['range']:.2f} m.", {}, time_s=time_s)
+        else:
+            out.add("target_lost", "Target lost; flying on its last known place.", {}, WARNING, time_s)
+    if row["status"] != last["status"] and int(row["status"]) in _STATUS:
+        out.add("allocator", f"Allocator: {_STATUS[int(row['status'])]}.", {}, WARNING, time_s)

@@ -1,0 +1,121 @@
+"""Parameters, mission and sensors as the records that compiled code reads: degrees become radians here."""
+
+from math import radians
+from statistics import NormalDist
+
+import numpy as np
+
+from twin import records
+from twin.mission import Mission
+from twin.parameters import Parameters
+from twin.vehicle import Vehicle
+
+ALLOCATORS = {"mdca": records.MDCA, "wls": records.WLS, "pid_direct": records.PID_DIRECT}
+LAWS = {"alos": records.ALOS, "aalos_fossen2024": records.AALOS}
+
+
+def fill_settings(out: np.ndarray, vehicle: Vehicle, parameters: Parameters) -> None:
+    """Fill a SETTINGS array of one record."""
+    s, sup, bump = out[0], parameters.supervisor, parameters.bumpless
+    guide, alloc = parameters.guidance, parameters.allocation
+    s["dt"] = vehicle.control_period_s
+    s["d_rh_l"], s["d_rh_u"] = sup.range_rh_lower_m, sup.range_rh_upper_m
+    s["d_fr_l"], s["d_fr_u"] = sup.range_fr_lower_m, sup.range_fr_upper_m
+    s["d_hf_u"], s["n_dwell"] = sup.range_hf_upper_m, sup.dwell_cycles
+    s["hits"], s["window"], s["hold"] = (
+        sup.detection_hits,
+        sup.detection_window,
+        sup.detection_hold_cycles,
+    )
+    s["ramp"], s["align"], s["project"] = bump.ramp, bump.integrator_alignment, bump.warm_start_projection
+    s["align_channels"] = bump.aligned_channels
+    s["align_bleed"], s["scale_integration"] = bump.alignment_bleed_s, bump.scale_integration
+    s["allocator"] = ALLOCATORS[alloc.allocator]
+    s["sqp_iterations"], s["kkt_tolerance"] = alloc.sqp_iterations, alloc.kkt_tolerance
+    s["fault_tolerant"], s["anti_windup"] = alloc.fault_tolerant, alloc.anti_windup_per_s
+    s["law"], s["look_ahead"], s["gamma"] = LAWS[guide.law], guide.look_ahead_m, guide.adaptation_gain
+    s["depth_rate"], s["acceleration"] = guide.depth_rate_mps, guide.acceleration_mps2
+    s["reverse_slope"], s["reverse_offset"] = guide.reverse_speed_slope_per_s, guide.reverse_speed_offset_mps
+    s["reverse_max"] = guide.reverse_speed_max_mps
+    s["hover_gain"], s["hover_max"] = guide.hover_speed_gain_per_s, guide.hover_speed_max_mps
+    s["hover_cross_gain"] = guide.hover_cross_gain
+    s["schedule_speed"], s["schedule_min"] = guide.schedule_speed_mps, guide.schedule_min_share
+    s["scheduled"] = guide.scheduled_channels
+
+
+def mode_controls(parameters: Parameters) -> np.ndarray:
+    """MODE_CONTROL records of the three modes, shape (3,)."""
+    out = np.zeros(records.N_MODES, records.MODE_CONTROL)
+    for row, mode in zip(out, parameters.modes, strict=True):
+        row["Q"], row["lam"], row["n_sw"] = mode.q_diagonal, mode.lambda_, mode.ramp_cycles
+        row["R"][: len(mode.r_diagonal)] = mode.r_diagonal
+        row["K_P"], row["K_I"], row["K_D"] = mode.kp, mode.ki, mode.kd
+        row["integral_limit"], row["demand_limit"] = mode.integral_limit, mode.demand_limit
+    return out
+
+
+def plan_of(mission: Mission, vehicle: Vehicle) -> np.ndarray:
+    """PLAN record of a mission, shape (1,)."""
+    out = np.zeros(1, records.PLAN)
+    p, env = out[0], mission.environment
+    path = mission.path_ned_m
+    p["n_legs"] = len(mission.legs)
+    p["waypoint"][: len(path)] = path
+    p["speed"][: len(mission.legs)] = [leg.speed_mps for leg in mission.legs]
+    p["target"] = [*mission.target.position_ned_m, radians(mission.target.heading_deg)]
+    p["standoff"] = mission.target.standoff_m
+    p["start"] = [*mission.start.position_ned_m, 0.0, 0.0, radians(mission.start.heading_deg)]
+    p["start_speed"], p["duration"] = mission.start.speed_mps, mission.duration_s
+    p["hover_hold"] = mission.end.hover_hold_s or 0.0
+    p["current"] = env.current_ned_mps
+    if env.current_variation:
+        p["gust_std"], p["gust_time"] = env.current_variation.std_mps, env.current_variation.time_constant_s
+    if env.wave:
+        p["wave_height"], p["wave_period"] = env.wave.height_m, env.wave.period_s
+        p["wave_direction"] = radians(env.wave.direction_deg)
+    p["tau_e"] = env.disturbance_body_n_nm
+    p["noise_scale"] = mission.sensors.noise_scale
+    p["n_outages"] = len(mission.sensors.outages)
+    for i, outage in enumerate(mission.sensors.outages):
+        p["outage"][i] = outage.from_s, outage.to_s
+    names = [actuator.name for actuator in vehicle.actuators]
+    p["n_faults"] = len(mission.faults)
+    for i, fault in enumerate(mission.faults):
+        p["fault_actuator"][i] = names.index(fault.actuator)
+        p["fault_time"][i], p["fault_blend"][i] = fault.at_s, fault.blend_s
+        p["fault_effectiveness"][i] = fault.effectiveness
+    return out
+
+
+def _score(probability: float) -> float:
+    """z below which a standard normal sample falls with this probability."""
+    if probability <= 0.0:
+        return -np.inf
+    return np.inf if probability >= 1.0 else NormalDist().inv_cdf(probability)
+
+
+def sensors_of(vehicle: Vehicle, mission: Mission) -> np.ndarray:
+    """SENSORS record of a vehicle with a mission's changes, shape (1,)."""
+    out = np.zeros(1, records.SENSORS)
+    s, v, change = out[0], vehicle.sensors, mission.sensors.detection
+    rate = 1.0 / vehicle.control_period_s
+    s["roll_pitch_std"], s["heading_std"] = (
+        radians(v.ins.roll_pitch_noise_deg),
+        radians(v.ins.heading_noise_deg),
+    )
+    s["heading_bias_std"], s["rate_std"] = radians(v.ins.heading_bias_deg), radians(v.ins.rate_noise_degps)
+    s["dvl_std"], s["dvl_water_std"] = v.dvl.ground_velocity_noise_mps, v.dvl.water_velocity_noise_mps
+    s["dvl_period"], s["dvl_dropout"] = max(1, round(rate / v.dvl.rate_hz)), _score(v.dvl.dropout_probability)
+    s["depth_std"], s["depth_bias_std"] = v.depth.depth_noise_m, v.depth.depth_bias_m
+    c = v.camera
+    s["camera_position"], s["camera_pitch"] = c.position_m, radians(c.pitch_down_deg)
+    half, reach, missed = c.field_of_view_half_deg, c.range_max_m, c.dropout_probability
+    if change is not None:
+        half = half if change.field_of_view_half_deg is None else change.field_of_view_half_deg
+        reach = reach if change.range_max_m is None else change.range_max_m
+        missed = missed if change.dropout_probability is None else change.dropout_probability
+    s["camera_half_angle"], s["camera_range_max"] = radians(half), reach
+    s["camera_range_min"], s["camera_dropout"] = c.range_min_m, _score(missed)
+    s["camera_period"] = max(1, round(rate / c.rate_hz))
+    s["camera_range_std"], s["camera_bearing_std"] = c.range_noise_share, radians(c.bearing_noise_deg)
+    return out

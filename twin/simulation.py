@@ -1,0 +1,215 @@
+"""Plant and autopilot in fixed steps, seeded, as fast as the machine can.
+
+`Twin` flies one control cycle at a time (the live node paces it); `simulate` flies a whole mission
+in one compiled loop. Both use the same compiled cycle, so the same seed gives the same rows.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from twin import records
+from twin.allocation.qp import make_handle
+from twin.autopilot import reset_autopilot
+from twin.cycle import IDLE, closed_loop, run_batch
+from twin.events import EventWriter, TwinEvent, row_events
+from twin.mission import Mission
+from twin.model import build_model
+from twin.parameters import Parameters, default_parameters, with_overrides
+from twin.plant import new_work, observe_plant
+from twin.settings import fill_settings, mode_controls, plan_of, sensors_of
+from twin.vehicle import Vehicle
+
+_CHUNK = 1024  # cycles per compiled call of `simulate`, so that progress can be shown
+
+
+def parameters_for(vehicle: Vehicle, mission: Mission | None) -> Parameters:
+    """The vehicle's parameters with the mission's overrides."""
+    parameters = default_parameters(vehicle)
+    return with_overrides(parameters, mission.parameters) if mission and mission.parameters else parameters
+
+
+def one(dtype: np.dtype) -> np.ndarray:
+    """A zeroed array of one record."""
+    return np.zeros(1, dtype)
+
+
+class Twin:
+    """One simulated vehicle with its autopilot. Not thread safe: one thread steps it."""
+
+    def __init__(self, vehicle: Vehicle, parameters: Parameters | None = None) -> None:
+        self.vehicle = vehicle
+        self.period_s = vehicle.control_period_s
+        self.mission: Mission | None = None
+        self.phase: int = IDLE
+        self.seed = 0
+        self.events = EventWriter()
+        self._handles: dict[str, np.ndarray] = {}
+        self._model = build_model(vehicle)
+        self._settings, self._modes = one(records.SETTINGS), np.zeros(3, records.MODE_CONTROL)
+        self._plan, self._sensors = one(records.PLAN), one(records.SENSORS)
+        self._plant, self._m = one(records.PLANT), one(records.MEASUREMENT)
+        self._a, self._w = one(records.AUTOPILOT), one(records.ALLOCATION_WORK)
+        self._row, self._last = one(records.LOG), one(records.LOG)
+        self._work = new_work()
+        self._change = 0
+        self._rng = np.random.Generator(np.random.PCG64(0))
+        self._noise = np.zeros(records.N_NOISE)
+        self._adopt(parameters or default_parameters(vehicle))
+        self._plant[0]["effectiveness"] = 1.0
+        self._a[0]["effectiveness"] = 1.0
+
+    def _adopt(self, parameters: Parameters) -> None:
+        self.parameters = parameters
+        fill_settings(self._settings, self.vehicle, parameters)
+        self._modes[:] = mode_controls(parameters)
+        solver = parameters.allocation.solver
+        if solver not in self._handles:
+            self._handles[solver] = make_handle(solver)
+        self._handle = self._handles[solver]
+
+    def start(self, mission: Mission, seed: int | None = None, parameters: Parameters | None = None) -> None:
+        """Put the plant at the mission's start and begin; parameters default to vehicle plus mission."""
+        self._adopt(parameters or parameters_for(self.vehicle, mission))
+        self.mission, self.seed = mission, mission.seed if seed is None else seed
+        self._plan[:] = plan_of(mission, self.vehicle)
+        self._sensors[:] = sensors_of(self.vehicle, mission)
+        self._rng = np.random.Generator(np.random.PCG64(self.seed))
+        place_plant(self._plan, self._sensors, self._plant, self._rng)
+        observe_plant(self._model, self._plan[0], self._plant[0], self._work)
+        self._m[:] = 0
+        reset_autopilot(self._modes, self._plan[0], self._model, self._a[0])
+        self.phase, self._change = 2, 0
+        self._last[:] = 0
+        self.events.add("mission_started", f"Mission {mission.name} started.", {"mission": mission.name})
+
+    def pause(self) -> None:
+        """Hold station here until `resume`; the supervisor is frozen."""
+        a = self._a[0]
+        a["hold_point"] = [a["eta"][0], a["eta"][1], a["eta"][2], a["eta"][5]]
+        a["holding"], self._change, self.phase = 1, 1, 3
+        self.events.add("mission_paused", "Mission paused; holding station.", {})
+
+    def resume(self) -> None:
+        """Go on with the mission."""
+        self._a[0]["holding"], self._change, self.phase = 0, 1, 2
+        self.events.add("mission_resumed", "Mission resumed.", {})
+
+    def abort(self, reason: str) -> None:
+        """Stop every actuator as fast as its bounds allow."""
+        self._a[0]["holding"], self.phase = 0, 5
+        self.events.add("mission_aborted", f"Mission aborted: {reason}.", {"reason": reason}, severity=2)
+
+    def set_parameters(self, parameters: Parameters) -> None:
+        """Fly with other parameters from the next cycle on, blended in over the present mode's ramp."""
+        self._adopt(parameters)
+        self._change = 1
+        self.events.add("parameters_applied", "New parameters are in force.", {})
+
+    def step(self) -> np.ndarray:
+        """Fly one control cycle; returns its LOG record, valid until the next step."""
+        if self.phase != IDLE:
+            self._rng.standard_normal(out=self._noise)
+        phase = closed_loop(
+            self._handle,
+            self._settings[0],
+            self._modes,
+            self._sensors[0],
+            self._plan[0],
+            self._model,
+            self._plant[0],
+            self._m[0],
+            self._a[0],
+            self._w[0],
+            self.phase,
+            self._change,
+            self._noise,
+            self._row[0],
+            self._work,
+        )
+        self._change = 0
+        row = self._row[0]
+        row_events(self.events, self._last[0], row, self._settings[0])
+        self._last[:] = self._row
+        if phase != self.phase:
+            self.phase = phase
+            self.events.add("mission_completed", f"Mission completed after {row['time']:.1f} s.", {})
+        return row
+
+    def drain_events(self) -> list[TwinEvent]:
+        """Events since the last call, oldest first."""
+        return self.events.drain()
+
+
+def place_plant(plan: np.ndarray, sensors: np.ndarray, plant: np.ndarray, rng: np.random.Generator) -> None:
+    """Put the plant at the mission's start; draw the biases that last a run."""
+    plant[:] = 0
+    p = plant[0]
+    p["eta"] = plan[0]["start"]
+    psi = p["eta"][5]
+    current = plan[0]["current"]
+    p["nu"][0] = plan[0]["start_speed"] + current[0] * np.cos(psi) + current[1] * np.sin(psi)
+    p["nu"][1] = -current[0] * np.sin(psi) + current[1] * np.cos(psi)
+    p["effectiveness"] = 1.0
+    draws = rng.standard_normal(4)
+    p["heading_bias"] = draws[0] * sensors[0]["heading_bias_std"]
+    p["depth_bias"] = draws[1] * sensors[0]["depth_bias_std"]
+    p["gust"][:2] = draws[2:4] * plan[0]["gust_std"]
+
+
+@dataclass(frozen=True)
+class Result:
+    """A flown mission: one LOG row per control cycle, and what made it."""
+
+    log: np.ndarray
+    mission: Mission
+    vehicle: Vehicle
+    parameters: Parameters
+    seed: int
+    phase: int
+    events: list[TwinEvent] = field(default_factory=list)
+
+
+def simulate(
+    mission: Mission,
+    vehicle: Vehicle,
+    parameters: Parameters | None = None,
+    seed: int | None = None,
+    progress: Callable[[float], None] | None = None,
+) -> Result:
+    """Fly `mission` to its end. A pure, picklable function of its arguments; solve times aside.
+
+    parameters: default is the vehicle's with the mission's overrides. seed: default is the
+    mission's. progress is called with the share flown, 0 to 1.
+    """
+    twin = Twin(vehicle, parameters)
+    twin.start(mission, seed, parameters)
+    total = int(round(mission.duration_s / twin.period_s))
+    log = np.zeros(total, records.LOG)
+    filled, phase = 0, twin.phase
+    while filled < total and phase == 2:
+        count = min(_CHUNK, total - filled)
+        noise = twin._rng.standard_normal((count, records.N_NOISE))
+        rows, phase = run_batch(
+            twin._handle,
+            twin._settings[0],
+            twin._modes,
+            twin._sensors[0],
+            twin._plan[0],
+            twin._model,
+            twin._plant[0],
+            twin._m[0],
+            twin._a[0],
+            twin._w[0],
+            noise,
+            log[filled : filled + count],
+            twin._work,
+        )
+        filled += rows
+        if progress:
+            progress(filled / total if phase == 2 else 1.0)
+    log = log[:filled]
+    for k in range(1, filled):
+        row_events(twin.events, log[k - 1], log[k], twin._settings[0])
+    return Result(log, mission, vehicle, twin.parameters, twin.seed, phase, twin.drain_events())
