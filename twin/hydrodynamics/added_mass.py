@@ -27,7 +27,10 @@ def spheroid_axial_factor(fineness: float) -> float:
 
 
 def axial_added_mass(strips: HullStrips, rho: float) -> float:
-    """-X_udot in kg: the spheroid with the hull's length and diameter. Source: Prestero 2001, section 4.3 (axial added mass)."""
+    """-X_udot in kg: the spheroid with the hull's length and diameter.
+
+    Source: Prestero 2001, section 4.3 (axial added mass).
+    """
     length, diameter = strips.hull.length_m, strips.hull.diameter_m
     return spheroid_axial_factor(length / diameter) * rho * math.pi / 6 * length * diameter**2
 
