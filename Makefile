@@ -26,7 +26,7 @@ test: $(DONE)/compiled $(DONE)/dev console chromium  ## the whole suite, browser
 check: $(DONE)/dev $(DONE)/project  ## lint, types, import rules, generated files, containers, leaks
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
-	$(BIN)/lint-imports
+	$(BIN)/lint-imports --no-logo
 	$(BIN)/pyright
 	$(NPM) console_web run check --silent
 	$(BIN)/hadolint Dockerfile
