@@ -1,0 +1,124 @@
+"""Mission files: those that come with the package, and uploaded ones in the data folder."""
+
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any
+
+from server.data_dir import write_whole
+from server.files import BadName, checked_name
+from twin.mission import Mission, MissionError, parse_mission
+from twin.problems import Problem
+
+ENDINGS = (".yaml", ".yml")
+
+
+class MissionExists(Exception):
+    """There is a mission of that name, and it was not to be replaced."""
+
+
+@dataclass(frozen=True)
+class MissionFile:
+    """A stored mission file. `mission` is None when a file put there by hand is faulty."""
+
+    name: str
+    path: Path
+    builtin: bool
+    text: str
+    mission: Mission | None
+    problems: tuple[Problem, ...] = ()
+
+    def as_dict(self, with_text: bool = False) -> dict[str, Any]:
+        """For JSON."""
+        mission = self.mission
+        told: dict[str, Any] = {
+            "name": self.name,
+            "file": self.path.name,
+            "title": (mission.title or mission.name) if mission else self.name,
+            "summary": mission.summary if mission else "",
+            "vehicle": mission.vehicle if mission else "",
+            "duration_s": mission.duration_s if mission else None,
+            "seed": mission.seed if mission else None,
+            "sha256": mission.sha256 if mission else "",
+            "builtin": self.builtin,
+            "valid": mission is not None,
+            "problems": [problem.as_dict() for problem in self.problems],
+            "modified": datetime.fromtimestamp(self.path.stat().st_mtime, UTC).isoformat(timespec="seconds"),
+        }
+        return told | {"yaml": self.text} if with_text else told
+
+
+def builtin_folder() -> Path:
+    """Where the missions of this package are: beside the sources, or inside the installed package."""
+    package = Path(__file__).parent
+    inside = package / "missions"
+    return inside if inside.is_dir() else package.parent / "missions"
+
+
+class Missions:
+    """All missions by name (the file's, without .yaml)."""
+
+    def __init__(self, uploads: Path, builtin: Path | None = None) -> None:
+        self._uploads = uploads
+        self._builtin = builtin or builtin_folder()
+        self._read: dict[Path, tuple[tuple[int, int], MissionFile]] = {}
+
+    def all(self) -> list[MissionFile]:
+        """Built-in missions first, each group by name."""
+        paths = [
+            path
+            for folder in (self._builtin, self._uploads)
+            for ending in ENDINGS
+            for path in folder.glob(f"*{ending}")
+            if not path.name.startswith(".")
+        ]
+        found = {path.stem: self._load(path) for path in reversed(paths)}
+        return sorted(found.values(), key=lambda file: (not file.builtin, file.name))
+
+    def get(self, name: str) -> MissionFile | None:
+        """One mission; `name` with or without .yaml."""
+        try:
+            name = checked_name(name, *ENDINGS)
+        except BadName:
+            return None
+        return next((file for file in self.all() if file.name == name), None)
+
+    def save(self, name: str, text: str, replace: bool) -> MissionFile:
+        """Check an uploaded mission and keep it. Raises BadName, MissionError or MissionExists."""
+        name = checked_name(name, *ENDINGS)
+        parse_mission(text, f"{name}.yaml")
+        present = self.get(name)
+        if present is not None and present.builtin:
+            raise MissionExists(f"{name} is a built-in mission; give yours another name")
+        if present is not None and not replace:
+            raise MissionExists(f"there is a mission {name} already")
+        path = self._uploads / f"{name}.yaml"
+        write_whole(path, text.encode())
+        if present is not None and present.path != path:
+            present.path.unlink(missing_ok=True)
+        return self._load(path)
+
+    def delete(self, name: str) -> bool:
+        """Remove an uploaded mission; False when there is none. Raises MissionExists for a built-in one."""
+        present = self.get(name)
+        if present is None:
+            return False
+        if present.builtin:
+            raise MissionExists(f"{present.name} is a built-in mission and stays")
+        present.path.unlink(missing_ok=True)
+        return True
+
+    def _load(self, path: Path) -> MissionFile:
+        found = path.stat()
+        mark = (found.st_mtime_ns, found.st_size)
+        cached = self._read.get(path)
+        if cached is not None and cached[0] == mark:
+            return cached[1]
+        builtin = path.parent == self._builtin
+        text = path.read_text(encoding="utf-8", errors="replace")
+        try:
+            file = MissionFile(path.stem, path, builtin, text, parse_mission(text, path.name))
+        except MissionError as error:
+            file = MissionFile(path.stem, path, builtin, text, None, error.problems)
+        self._read[path] = (mark, file)
+        return file

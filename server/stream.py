@@ -1,0 +1,121 @@
+"""Fan-out to browsers: each has its own latest-wins buffer, so a slow one costs nobody else anything.
+
+The dispatcher's thread fills the buffers and never waits; one task per browser empties its buffer at
+no more than 20 frames a second. What a frozen browser has not read is bounded: one message per topic,
+the last events, and what the socket's own buffer holds.
+"""
+
+import asyncio
+import threading
+import time
+from collections import deque
+from collections.abc import Awaitable, Callable
+
+from server.sample import EVENT, Sample
+from server.state import State
+from twin.contract import bumpless_pb2 as pb
+
+FRAME_PERIOD_S = 0.05
+GATHER_S = 0.004  # the topics of one control cycle arrive within this time of each other
+MAX_EVENTS = 500
+
+
+class ClientBuffer:
+    """What one browser has not been sent yet: the newest of each topic, every event."""
+
+    def __init__(self, loop: asyncio.AbstractEventLoop, first: list[Sample]) -> None:
+        self._loop = loop
+        self._lock = threading.Lock()
+        self._newest: dict[str, Sample] = {sample.topic: sample for sample in first}
+        self._events: deque[Sample] = deque(maxlen=MAX_EVENTS)
+        self._filled = asyncio.Event()
+        self._woken = bool(first)
+        if first:
+            self._filled.set()
+        self.replaced = 0  # messages that a newer one of their topic took the place of
+
+    def offer(self, sample: Sample) -> None:
+        """Take in a message; callable from any thread, never waits."""
+        with self._lock:
+            if sample.topic == EVENT:
+                self._events.append(sample)
+            else:
+                self.replaced += sample.topic in self._newest
+                self._newest[sample.topic] = sample
+            if self._woken:
+                return
+            self._woken = True
+        try:
+            self._loop.call_soon_threadsafe(self._filled.set)
+        except RuntimeError:  # the loop has just ended
+            return
+
+    def take(self) -> list[Sample]:
+        """All that waits: topics in order of arrival, events in between."""
+        with self._lock:
+            samples = [*self._newest.values(), *self._events]
+            self._newest.clear()
+            self._events.clear()
+            self._filled.clear()
+            self._woken = False
+        return sorted(samples, key=lambda sample: sample.receive_ns)
+
+    async def wait(self) -> None:
+        """Until there is something to take."""
+        await self._filled.wait()
+
+
+def frame_of(samples: list[Sample]) -> bytes:
+    """A StreamFrame with the samples' own bytes."""
+    frame = pb.StreamFrame(server_time_ns=time.time_ns())
+    for sample in samples:
+        frame.messages.add(
+            topic=sample.topic,
+            schema=sample.schema,
+            payload=sample.payload,
+            receive_time_ns=sample.receive_ns,
+        )
+    return frame.SerializeToString()
+
+
+class Stream:
+    """All connected browsers of one state."""
+
+    def __init__(self, state: State) -> None:
+        self._state = state
+        self._clients: tuple[ClientBuffer, ...] = ()
+        self._lock = threading.Lock()
+        state.subscribe(self._offer)
+
+    def __len__(self) -> int:
+        return len(self._clients)
+
+    def _offer(self, sample: Sample) -> None:
+        for client in self._clients:
+            client.offer(sample)
+
+    def join(self) -> ClientBuffer:
+        """A buffer for a new browser, holding the last value of every topic."""
+        client = ClientBuffer(asyncio.get_running_loop(), self._state.samples())
+        with self._lock:
+            self._clients = (*self._clients, client)
+        return client
+
+    def leave(self, client: ClientBuffer) -> None:
+        """Forget a browser."""
+        with self._lock:
+            self._clients = tuple(other for other in self._clients if other is not client)
+
+    async def serve(self, send: Callable[[bytes], Awaitable[None]]) -> None:
+        """Send frames until `send` fails or this task is cancelled. A slow `send` slows only itself."""
+        client = self.join()
+        loop = asyncio.get_running_loop()
+        try:
+            while True:
+                await client.wait()
+                await asyncio.sleep(GATHER_S)
+                started = loop.time()
+                await send(frame_of(client.take()))
+                await asyncio.sleep(max(0.0, started + FRAME_PERIOD_S - GATHER_S - loop.time()))
+        finally:
+            self.leave(client)
