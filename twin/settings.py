@@ -28,8 +28,8 @@ def fill_settings(out: np.ndarray, vehicle: Vehicle, parameters: Parameters) -> 
         sup.detection_hold_cycles,
     )
     s["ramp"], s["align"], s["project"] = bump.ramp, bump.integrator_alignment, bump.warm_start_projection
-    s["align_channels"] = bump.aligned_channels
-    s["align_bleed"], s["scale_integration"] = bump.alignment_bleed_s, bump.scale_integration
+    s["align_channels"] = bump.align_channels
+    s["align_bleed"], s["scale_integration"] = bump.align_bleed_s, bump.scale_integration
     s["allocator"] = ALLOCATORS[alloc.allocator]
     s["sqp_iterations"], s["kkt_tolerance"] = alloc.sqp_iterations, alloc.kkt_tolerance
     s["fault_tolerant"], s["anti_windup"] = alloc.fault_tolerant, alloc.anti_windup_per_s
@@ -39,7 +39,7 @@ def fill_settings(out: np.ndarray, vehicle: Vehicle, parameters: Parameters) -> 
     s["reverse_max"] = guide.reverse_speed_max_mps
     s["hover_gain"], s["hover_max"] = guide.hover_speed_gain_per_s, guide.hover_speed_max_mps
     s["hover_cross_gain"] = guide.hover_cross_gain
-    s["schedule_speed"], s["schedule_min"] = guide.schedule_speed_mps, guide.schedule_min_share
+    s["schedule_speed"], s["schedule_min"] = guide.schedule_speed_mps, guide.schedule_min
     s["scheduled"] = guide.scheduled_channels
 
 
