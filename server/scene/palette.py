@@ -1,0 +1,47 @@
+"""Colours of the scene, the console's own: mid tones that read on a dark and on a light background."""
+
+from twin.contract import bumpless_pb2 as pb
+
+Rgb = tuple[int, int, int]
+
+FORWARD: Rgb = (59, 130, 246)  # #3b82f6
+REVERSE: Rgb = (245, 158, 11)  # #f59e0b
+HOVER: Rgb = (16, 185, 129)  # #10b981
+IDLE: Rgb = (148, 163, 184)
+STALE: Rgb = (120, 124, 130)
+
+HULL: Rgb = (226, 232, 240)
+FRAME: Rgb = (71, 85, 105)
+FIN: Rgb = (51, 65, 85)
+PROPELLER: Rgb = (180, 140, 80)
+
+DEMANDED: Rgb = (217, 70, 239)  # tau_d
+ACHIEVED: Rgb = (6, 182, 212)  # tau_c
+RESIDUAL: Rgb = (239, 68, 68)  # tau_d - tau_c
+FORCE_SET: Rgb = (56, 189, 248)
+MOMENT_SET: Rgb = (129, 140, 248)
+
+TARGET: Rgb = (250, 204, 21)
+PATH: Rgb = (148, 163, 184)
+CURRENT: Rgb = (20, 184, 166)
+GRID_CELL: Rgb = (84, 104, 128)
+GRID_SECTION: Rgb = (100, 124, 152)
+AXIS_NORTH: Rgb = (220, 68, 68)
+AXIS_EAST: Rgb = (46, 160, 90)
+AXIS_DOWN: Rgb = (70, 120, 230)
+
+MODE_COLOUR: dict[int, Rgb] = {
+    pb.MODE_FORWARD: FORWARD,
+    pb.MODE_REVERSE: REVERSE,
+    pb.MODE_HOVER: HOVER,
+}
+MODE_NAME: dict[int, str] = {
+    pb.MODE_FORWARD: "F · Forward",
+    pb.MODE_REVERSE: "R · Reverse",
+    pb.MODE_HOVER: "H · Hover",
+}
+
+
+def mode_colour(mode: int) -> Rgb:
+    """Colour of a contract Mode; grey when unspecified."""
+    return MODE_COLOUR.get(mode, IDLE)
