@@ -416,7 +416,7 @@ class VehicleDescription(_message.Message):
     def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., vehicle_id: _Optional[str] = ..., vehicle_name: _Optional[str] = ..., vehicle_toml: _Optional[str] = ..., sha256: _Optional[str] = ..., software_version: _Optional[str] = ..., control_period_s: _Optional[float] = ..., actuator_names: _Optional[_Iterable[str]] = ..., session_id: _Optional[str] = ...) -> None: ...
 
 class Health(_message.Message):
-    __slots__ = ("stamp", "cycles", "missed_cycles", "lateness_p99_ms", "lateness_max_ms", "cycle_time_p50_us", "cycle_time_p99_us", "resident_bytes", "process_id", "host_name")
+    __slots__ = ("stamp", "cycles", "missed_cycles", "lateness_p99_ms", "lateness_max_ms", "cycle_time_p50_us", "cycle_time_p99_us", "resident_bytes", "process_id", "host_name", "dropped_rows")
     STAMP_FIELD_NUMBER: _ClassVar[int]
     CYCLES_FIELD_NUMBER: _ClassVar[int]
     MISSED_CYCLES_FIELD_NUMBER: _ClassVar[int]
@@ -427,6 +427,7 @@ class Health(_message.Message):
     RESIDENT_BYTES_FIELD_NUMBER: _ClassVar[int]
     PROCESS_ID_FIELD_NUMBER: _ClassVar[int]
     HOST_NAME_FIELD_NUMBER: _ClassVar[int]
+    DROPPED_ROWS_FIELD_NUMBER: _ClassVar[int]
     stamp: Stamp
     cycles: int
     missed_cycles: int
@@ -437,7 +438,8 @@ class Health(_message.Message):
     resident_bytes: int
     process_id: int
     host_name: str
-    def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., cycles: _Optional[int] = ..., missed_cycles: _Optional[int] = ..., lateness_p99_ms: _Optional[float] = ..., lateness_max_ms: _Optional[float] = ..., cycle_time_p50_us: _Optional[float] = ..., cycle_time_p99_us: _Optional[float] = ..., resident_bytes: _Optional[int] = ..., process_id: _Optional[int] = ..., host_name: _Optional[str] = ...) -> None: ...
+    dropped_rows: int
+    def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., cycles: _Optional[int] = ..., missed_cycles: _Optional[int] = ..., lateness_p99_ms: _Optional[float] = ..., lateness_max_ms: _Optional[float] = ..., cycle_time_p50_us: _Optional[float] = ..., cycle_time_p99_us: _Optional[float] = ..., resident_bytes: _Optional[int] = ..., process_id: _Optional[int] = ..., host_name: _Optional[str] = ..., dropped_rows: _Optional[int] = ...) -> None: ...
 
 class Event(_message.Message):
     __slots__ = ("stamp", "severity", "code", "text", "details")

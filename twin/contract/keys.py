@@ -92,6 +92,12 @@ def alive(vehicle: str) -> str:
     return f"{ROOT}/{vehicle}/alive"
 
 
+def claim(vehicle: str, since_ns: int | str, session_id: str) -> str:
+    """Key of the token by which nodes that want the same vehicle id see each other; "*" stands for any."""
+    since = since_ns if isinstance(since_ns, str) else f"{since_ns:020d}"
+    return f"{ROOT}/{vehicle}/claim/{since}/{session_id}"
+
+
 def truth(vehicle: str) -> str:
     """Key of a simulated vehicle's true state; read by tests and by the simulator's own log only."""
     return f"{ROOT}/{vehicle}/truth/state"
