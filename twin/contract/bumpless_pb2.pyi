@@ -163,7 +163,7 @@ class Guidance(_message.Message):
     def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., surge_speed_reference_mps: _Optional[float] = ..., depth_reference_m: _Optional[float] = ..., attitude_reference: _Optional[_Union[Attitude, _Mapping]] = ..., cross_track_error_m: _Optional[float] = ..., along_track_error_m: _Optional[float] = ..., leg: _Optional[int] = ..., leg_count: _Optional[int] = ..., sway_speed_reference_mps: _Optional[float] = ...) -> None: ...
 
 class Supervisor(_message.Message):
-    __slots__ = ("stamp", "mode", "previous_mode", "range_m", "detection_raw", "detection", "kappa", "time_in_mode_s", "dwell_remaining_s", "range_rh_lower_m", "range_rh_upper_m", "range_fr_lower_m", "range_fr_upper_m", "range_hf_upper_m")
+    __slots__ = ("stamp", "mode", "previous_mode", "range_m", "detection_raw", "detection", "kappa", "time_in_mode_s", "dwell_remaining_s", "range_rh_lower_m", "range_rh_upper_m", "range_fr_lower_m", "range_fr_upper_m", "range_hf_upper_m", "phase")
     STAMP_FIELD_NUMBER: _ClassVar[int]
     MODE_FIELD_NUMBER: _ClassVar[int]
     PREVIOUS_MODE_FIELD_NUMBER: _ClassVar[int]
@@ -178,6 +178,7 @@ class Supervisor(_message.Message):
     RANGE_FR_LOWER_M_FIELD_NUMBER: _ClassVar[int]
     RANGE_FR_UPPER_M_FIELD_NUMBER: _ClassVar[int]
     RANGE_HF_UPPER_M_FIELD_NUMBER: _ClassVar[int]
+    PHASE_FIELD_NUMBER: _ClassVar[int]
     stamp: Stamp
     mode: Mode
     previous_mode: Mode
@@ -192,21 +193,24 @@ class Supervisor(_message.Message):
     range_fr_lower_m: float
     range_fr_upper_m: float
     range_hf_upper_m: float
-    def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., mode: _Optional[_Union[Mode, str]] = ..., previous_mode: _Optional[_Union[Mode, str]] = ..., range_m: _Optional[float] = ..., detection_raw: _Optional[bool] = ..., detection: _Optional[bool] = ..., kappa: _Optional[float] = ..., time_in_mode_s: _Optional[float] = ..., dwell_remaining_s: _Optional[float] = ..., range_rh_lower_m: _Optional[float] = ..., range_rh_upper_m: _Optional[float] = ..., range_fr_lower_m: _Optional[float] = ..., range_fr_upper_m: _Optional[float] = ..., range_hf_upper_m: _Optional[float] = ...) -> None: ...
+    phase: MissionPhase
+    def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., mode: _Optional[_Union[Mode, str]] = ..., previous_mode: _Optional[_Union[Mode, str]] = ..., range_m: _Optional[float] = ..., detection_raw: _Optional[bool] = ..., detection: _Optional[bool] = ..., kappa: _Optional[float] = ..., time_in_mode_s: _Optional[float] = ..., dwell_remaining_s: _Optional[float] = ..., range_rh_lower_m: _Optional[float] = ..., range_rh_upper_m: _Optional[float] = ..., range_fr_lower_m: _Optional[float] = ..., range_fr_upper_m: _Optional[float] = ..., range_hf_upper_m: _Optional[float] = ..., phase: _Optional[_Union[MissionPhase, str]] = ...) -> None: ...
 
 class Control(_message.Message):
-    __slots__ = ("stamp", "demanded", "demanded_raw", "achieved", "residual")
+    __slots__ = ("stamp", "demanded", "demanded_raw", "achieved", "residual", "frozen")
     STAMP_FIELD_NUMBER: _ClassVar[int]
     DEMANDED_FIELD_NUMBER: _ClassVar[int]
     DEMANDED_RAW_FIELD_NUMBER: _ClassVar[int]
     ACHIEVED_FIELD_NUMBER: _ClassVar[int]
     RESIDUAL_FIELD_NUMBER: _ClassVar[int]
+    FROZEN_FIELD_NUMBER: _ClassVar[int]
     stamp: Stamp
     demanded: Wrench
     demanded_raw: Wrench
     achieved: Wrench
     residual: Wrench
-    def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., demanded: _Optional[_Union[Wrench, _Mapping]] = ..., demanded_raw: _Optional[_Union[Wrench, _Mapping]] = ..., achieved: _Optional[_Union[Wrench, _Mapping]] = ..., residual: _Optional[_Union[Wrench, _Mapping]] = ...) -> None: ...
+    frozen: Wrench
+    def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., demanded: _Optional[_Union[Wrench, _Mapping]] = ..., demanded_raw: _Optional[_Union[Wrench, _Mapping]] = ..., achieved: _Optional[_Union[Wrench, _Mapping]] = ..., residual: _Optional[_Union[Wrench, _Mapping]] = ..., frozen: _Optional[_Union[Wrench, _Mapping]] = ...) -> None: ...
 
 class Allocation(_message.Message):
     __slots__ = ("stamp", "status", "sqp_iterations", "kkt_residual", "residual_norm", "cost", "solve_time_us", "saturated_count", "solver", "slack_norm")
@@ -571,7 +575,7 @@ class ModeMetrics(_message.Message):
     def __init__(self, mode: _Optional[_Union[Mode, str]] = ..., duration_s: _Optional[float] = ..., samples: _Optional[int] = ..., depth_rms_m: _Optional[float] = ..., depth_peak_to_peak_m: _Optional[float] = ..., roll_rms_deg: _Optional[float] = ..., pitch_rms_deg: _Optional[float] = ..., yaw_rms_deg: _Optional[float] = ..., surge_speed_mean_mps: _Optional[float] = ..., actuator_rms: _Optional[_Iterable[float]] = ..., residual_rms: _Optional[float] = ...) -> None: ...
 
 class Metrics(_message.Message):
-    __slots__ = ("run_id", "duration_s", "cycles", "residual_rms", "saturation_ratio", "d_u_fr", "d_u_rh", "switches", "modes", "solve_time_mean_us", "solve_time_std_us", "solve_time_p95_us", "solve_time_max_us", "final_range_m", "increment_violations", "demand_step_violations", "residual_rms_true")
+    __slots__ = ("run_id", "duration_s", "cycles", "residual_rms", "saturation_ratio", "d_u_fr", "d_u_rh", "switches", "modes", "solve_time_mean_us", "solve_time_std_us", "solve_time_p95_us", "solve_time_max_us", "final_range_m", "increment_violations", "demand_step_violations", "residual_rms_true", "missing_cycles", "solved_ratio")
     RUN_ID_FIELD_NUMBER: _ClassVar[int]
     DURATION_S_FIELD_NUMBER: _ClassVar[int]
     CYCLES_FIELD_NUMBER: _ClassVar[int]
@@ -589,6 +593,8 @@ class Metrics(_message.Message):
     INCREMENT_VIOLATIONS_FIELD_NUMBER: _ClassVar[int]
     DEMAND_STEP_VIOLATIONS_FIELD_NUMBER: _ClassVar[int]
     RESIDUAL_RMS_TRUE_FIELD_NUMBER: _ClassVar[int]
+    MISSING_CYCLES_FIELD_NUMBER: _ClassVar[int]
+    SOLVED_RATIO_FIELD_NUMBER: _ClassVar[int]
     run_id: str
     duration_s: float
     cycles: int
@@ -606,7 +612,9 @@ class Metrics(_message.Message):
     increment_violations: int
     demand_step_violations: int
     residual_rms_true: float
-    def __init__(self, run_id: _Optional[str] = ..., duration_s: _Optional[float] = ..., cycles: _Optional[int] = ..., residual_rms: _Optional[float] = ..., saturation_ratio: _Optional[float] = ..., d_u_fr: _Optional[float] = ..., d_u_rh: _Optional[float] = ..., switches: _Optional[_Iterable[_Union[SwitchMetrics, _Mapping]]] = ..., modes: _Optional[_Iterable[_Union[ModeMetrics, _Mapping]]] = ..., solve_time_mean_us: _Optional[float] = ..., solve_time_std_us: _Optional[float] = ..., solve_time_p95_us: _Optional[float] = ..., solve_time_max_us: _Optional[float] = ..., final_range_m: _Optional[float] = ..., increment_violations: _Optional[int] = ..., demand_step_violations: _Optional[int] = ..., residual_rms_true: _Optional[float] = ...) -> None: ...
+    missing_cycles: int
+    solved_ratio: float
+    def __init__(self, run_id: _Optional[str] = ..., duration_s: _Optional[float] = ..., cycles: _Optional[int] = ..., residual_rms: _Optional[float] = ..., saturation_ratio: _Optional[float] = ..., d_u_fr: _Optional[float] = ..., d_u_rh: _Optional[float] = ..., switches: _Optional[_Iterable[_Union[SwitchMetrics, _Mapping]]] = ..., modes: _Optional[_Iterable[_Union[ModeMetrics, _Mapping]]] = ..., solve_time_mean_us: _Optional[float] = ..., solve_time_std_us: _Optional[float] = ..., solve_time_p95_us: _Optional[float] = ..., solve_time_max_us: _Optional[float] = ..., final_range_m: _Optional[float] = ..., increment_violations: _Optional[int] = ..., demand_step_violations: _Optional[int] = ..., residual_rms_true: _Optional[float] = ..., missing_cycles: _Optional[int] = ..., solved_ratio: _Optional[float] = ...) -> None: ...
 
 class StreamMessage(_message.Message):
     __slots__ = ("topic", "schema", "payload", "receive_time_ns")
