@@ -1,0 +1,66 @@
+// Each actuator inside its amplitude bounds, with the window that this cycle's increment allows.
+// Saturation and rate limit have a shape of their own beside the colour.
+import type { Actuator } from "../gen/bumpless_pb";
+import { fixed } from "../lib/format";
+import { label } from "../lib/vehicle";
+import { useFrame } from "../stream/frame";
+import { live } from "../stream/store";
+import { DiamondIcon, TriangleIcon } from "../ui/icons";
+import { Empty, Panel } from "../ui/panel";
+
+export function ActuatorPanel() {
+  return (
+    <Panel title="Actuators" topic="tlm/actuators" class="actuator-panel" aside={<Legend />}>
+      <Rows />
+    </Panel>
+  );
+}
+
+function Legend() {
+  return (
+    <span class="legend">
+      <span class="flag" data-look="saturated"><TriangleIcon size={9} /> at bound</span>
+      <span class="flag" data-look="limited"><DiamondIcon size={9} /> rate-limited</span>
+    </span>
+  );
+}
+
+function Rows() {
+  useFrame();
+  const actuators = live.latest("tlm/actuators")?.actuators ?? [];
+  if (!actuators.length) return <Empty>Actuators appear with the first telemetry.</Empty>;
+  return (
+    <ul class="actuators">
+      {actuators.map((actuator) => <Row key={actuator.name} actuator={actuator} />)}
+    </ul>
+  );
+}
+
+function Row({ actuator: a }: { actuator: Actuator }) {
+  const whole = a.amplitudeUpper - a.amplitudeLower || 1;
+  const at = (value: number): number => Math.max(0, Math.min(100, (100 * (value - a.amplitudeLower)) / whole));
+  const unit = a.unit === "deg" ? "°" : a.unit;
+  const decimals = a.unit === "deg" ? 1 : 0;
+  const state = a.saturated ? "saturated" : a.rateLimited ? "limited" : "free";
+  const window = { left: `${at(a.lower)}%`, width: `${Math.max(0.5, at(a.upper) - at(a.lower))}%` };
+  const about =
+    `${label(a.name)}: command ${fixed(a.command, decimals)}, feedback ${fixed(a.feedback, decimals)} ${unit}; ` +
+    `bounds ${fixed(a.amplitudeLower, decimals)} to ${fixed(a.amplitudeUpper, decimals)}, ` +
+    `now ${fixed(a.lower, decimals + 1)} to ${fixed(a.upper, decimals + 1)}`;
+  return (
+    <li class="actuator" data-state={state} title={about}>
+      <span class="actuator-name">{label(a.name)}</span>
+      <span class="travel">
+        <i class="travel-window" style={window} />
+        <i class="travel-zero" style={{ left: `${at(0)}%` }} />
+        <i class="travel-feedback" style={{ left: `${Math.min(at(0), at(a.feedback))}%`, width: `${Math.abs(at(a.feedback) - at(0))}%` }} />
+        <i class="travel-command" style={{ left: `${at(a.command)}%` }} />
+      </span>
+      <span class="num actuator-value">{fixed(a.command, decimals)}<span class="unit"> {unit}</span></span>
+      <span class="flag" data-look={state}>
+        {a.saturated && <><TriangleIcon size={10} /><span class="sr">at its bound</span></>}
+        {!a.saturated && a.rateLimited && <><DiamondIcon size={10} /><span class="sr">rate-limited</span></>}
+      </span>
+    </li>
+  );
+}

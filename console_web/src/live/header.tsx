@@ -1,0 +1,120 @@
+// Top line: where you are, which vehicle, whether it is live, whether it is recorded.
+import { age, bytes } from "../lib/format";
+import { useEffect, useReducer } from "preact/hooks";
+import { onTheme, setTheme, theme } from "../lib/theme";
+import { useFrame } from "../stream/frame";
+import { live } from "../stream/store";
+import {
+  AlarmIcon, CheckIcon, HollowIcon, MoonIcon, RecordIcon, SunIcon, WarningIcon,
+} from "../ui/icons";
+import { linkNow, type LinkLook } from "./link_state";
+
+export const VIEWS = [
+  { id: "live", name: "Live" },
+  { id: "missions", name: "Missions" },
+  { id: "weights", name: "Mode weights" },
+  { id: "runs", name: "Runs" },
+] as const;
+export type ViewId = (typeof VIEWS)[number]["id"];
+
+export function Header({ view, badge }: { view: ViewId; badge: number }) {
+  return (
+    <header class="topbar">
+      <a class="brand" href="#live" aria-label="Bumpless, live view">
+        <Logo />
+        <span>Bumpless</span>
+      </a>
+      <nav aria-label="Views">
+        {VIEWS.map(({ id, name }) => (
+          <a key={id} href={`#${id}`} class="tab" aria-current={view === id ? "page" : undefined}>
+            {name}
+            {id === "weights" && badge > 0 && (
+              <span class="count" title={`${badge} change(s) in the draft`}>{badge}</span>
+            )}
+          </a>
+        ))}
+      </nav>
+      <span class="grow" />
+      <Vehicle />
+      <Recording />
+      <ThemeButton />
+    </header>
+  );
+}
+
+const LINK_ICONS: Record<LinkLook, typeof CheckIcon> = {
+  live: CheckIcon,
+  stale: WarningIcon,
+  lost: AlarmIcon,
+  offline: AlarmIcon,
+  waiting: HollowIcon,
+};
+
+function Vehicle() {
+  useFrame();
+  const link = linkNow();
+  const description = live.latest("tlm/description");
+  const health = live.latest("tlm/health");
+  const status = live.latest("server/status");
+  const Icon = LINK_ICONS[link.look];
+  const seconds = live.age("tlm/navigation");
+  const name = description?.vehicleName || status?.vehicleId || "No vehicle";
+  const details = [
+    description && `${description.vehicleId}, software ${description.softwareVersion}`,
+    health && `missed cycles ${health.missedCycles}, lateness p99 ${health.latenessP99Ms.toFixed(1)} ms`,
+    status && `node restarts ${status.nodeRestarts}, server ${status.serverVersion}`,
+  ].filter(Boolean);
+  return (
+    <div class="header-item" title={details.join("\n")}>
+      <span class="vehicle-name">{name}</span>
+      {health && health.missedCycles > 0n && (
+        <span class="chip" data-look="stale" title="Control cycles missed since the node started">
+          <WarningIcon /> {String(health.missedCycles)} missed
+        </span>
+      )}
+      <span class="chip link" data-look={link.look} role="status" aria-label={`Link: ${link.label}`}>
+        <Icon /> {link.label}
+        {link.look !== "live" && seconds !== undefined && <span class="num"> {age(seconds)}</span>}
+      </span>
+    </div>
+  );
+}
+
+function Recording() {
+  useFrame();
+  const status = live.latest("server/status");
+  const on = Boolean(status?.recording) && live.isFresh("server/status");
+  const lost = Number(status?.recorderDropped ?? 0n);
+  return (
+    <span
+      class="chip recording"
+      data-look={on ? "recording" : "off"}
+      title={on ? `Run ${status?.recordingRunId}` : "Each mission is recorded from start to end"}
+    >
+      {on ? <RecordIcon size={11} /> : <HollowIcon size={11} />}
+      {on ? <>REC <span class="num">{bytes(status?.recordedBytes)}</span></> : "Not recording"}
+      {lost > 0 && <span class="lost"> {lost} dropped</span>}
+    </span>
+  );
+}
+
+function ThemeButton() {
+  const [, render] = useReducer((count: number) => count + 1, 0);
+  useEffect(() => onTheme(() => render(undefined as never)), []);
+  const next = theme() === "dark" ? "light" : "dark";
+  return (
+    <button type="button" class="quiet" aria-label={`Switch to the ${next} theme`} onClick={() => setTheme(next)}>
+      {next === "light" ? <SunIcon size={16} /> : <MoonIcon size={16} />}
+    </button>
+  );
+}
+
+function Logo() {
+  return (
+    <svg width="26" height="20" viewBox="0 0 32 24" aria-hidden="true">
+      <path d="M3 18C11 18 10 7 16 7S23 7 29 7" fill="none" stroke="#3b82f6" stroke-width="3" stroke-linecap="round" />
+      <circle cx="16" cy="7" r="3" fill="#f59e0b" />
+      <circle cx="29" cy="7" r="3" fill="#10b981" />
+    </svg>
+  );
+}

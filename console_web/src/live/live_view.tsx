@@ -1,0 +1,35 @@
+// The live view: scene and mode at the left, plots in the middle, forces and actuators at the right.
+// Only the scene stays in the page while another view is shown: it is slow to load.
+import { ActuatorPanel } from "./actuator_panel";
+import { AllocationPanel } from "./allocation_panel";
+import { EventPanel } from "./event_panel";
+import { ModePanel } from "./mode_panel";
+import { PlotPanel } from "./plot_panel";
+import { Scene } from "./scene";
+import { StatePanel } from "./state_panel";
+import { WrenchPanel } from "./wrench_panel";
+
+export function LiveView({ hidden }: { hidden: boolean }) {
+  return (
+    <main class="live" hidden={hidden} aria-label="Live view">
+      <div class="live-left">
+        <Scene />
+        {!hidden && <ModePanel />}
+      </div>
+      {!hidden && (
+        <>
+          <div class="live-middle">
+            <PlotPanel />
+            <StatePanel />
+          </div>
+          <div class="live-right">
+            <WrenchPanel />
+            <ActuatorPanel />
+            <AllocationPanel />
+            <EventPanel />
+          </div>
+        </>
+      )}
+    </main>
+  );
+}

@@ -1,0 +1,87 @@
+// Which mode, why, and what it waits for: the supervisor's state in one panel.
+import { fixed } from "../lib/format";
+import { modeLook } from "../lib/modes";
+import { useFrame } from "../stream/frame";
+import { live } from "../stream/store";
+import { Empty, Panel } from "../ui/panel";
+import { HollowIcon, RecordIcon } from "../ui/icons";
+import { ModeStrip } from "./mode_strip";
+import { RangeGauge } from "./range_gauge";
+
+export function ModePanel() {
+  return (
+    <Panel title="Mode" topic="tlm/supervisor" class="mode-panel">
+      <Content />
+    </Panel>
+  );
+}
+
+function Content() {
+  useFrame();
+  const supervisor = live.latest("tlm/supervisor");
+  if (!supervisor) return <Empty>The supervisor's mode, range and detection appear with the first telemetry.</Empty>;
+  const mode = modeLook(supervisor.mode);
+  const before = modeLook(supervisor.previousMode);
+  const settled = supervisor.kappa >= 1;
+  return (
+    <>
+      <div class="mode-line">
+        <span class="mode-badge" data-mode={mode.key} role="status" aria-label={`Mode ${mode.name}`}>
+          {mode.letter}
+        </span>
+        <div class="mode-name">
+          <strong>{mode.name}</strong>
+          <span class="muted num">
+            {fixed(supervisor.timeInModeS, 1)} s in mode
+            {!settled && before.letter !== mode.letter && ` · from ${before.letter}`}
+          </span>
+        </div>
+        <Ramp label="κ" unit="" value={supervisor.kappa} share={supervisor.kappa} decimals={2}
+          about="Transition factor: 1 when the blend into this mode is over" />
+        <Dwell remaining={supervisor.dwellRemainingS} inMode={supervisor.timeInModeS} />
+        <div class="lamps" aria-label="Detection of the target">
+          <Lamp name="Raw" on={supervisor.detectionRaw} about="Target seen in this cycle" />
+          <Lamp name="Filtered" on={supervisor.detection} about="After the M-of-N filter and hold: what the supervisor uses" />
+        </div>
+      </div>
+      <RangeGauge supervisor={supervisor} />
+      <ModeStrip />
+    </>
+  );
+}
+
+interface RampProps {
+  label: string;
+  unit: string;
+  value: number;
+  share: number;
+  decimals: number;
+  about: string;
+}
+
+function Ramp({ label, unit, value, share, decimals, about }: RampProps) {
+  const width = `${(100 * Math.min(1, Math.max(0, share))).toFixed(1)}%`;
+  return (
+    <div class="ramp" title={about}>
+      <span class="ramp-text"><span class="muted">{label}</span> <b class="num">{fixed(value, decimals)}</b>{unit && ` ${unit}`}</span>
+      <span class="meter"><i style={{ width }} /></span>
+    </div>
+  );
+}
+
+function Dwell({ remaining, inMode }: { remaining: number; inMode: number }) {
+  const whole = remaining + inMode;
+  return (
+    <Ramp label="dwell" unit="s" value={remaining} share={whole > 0 ? remaining / whole : 0} decimals={1}
+      about="Time until a switch is allowed; 0: allowed now" />
+  );
+}
+
+function Lamp({ name, on, about }: { name: string; on: boolean; about: string }) {
+  return (
+    <span class="lamp" data-on={on ? "yes" : "no"} title={about}>
+      {on ? <RecordIcon size={11} /> : <HollowIcon size={11} />} {name}
+      <span class="sr">{on ? "detected" : "not detected"}</span>
+    </span>
+  );
+}

@@ -1,0 +1,163 @@
+// One uPlot chart outside the component tree: Preact makes its box, frames feed it.
+import { useEffect, useRef } from "preact/hooks";
+import uPlot from "uplot";
+import { Mode } from "../gen/bumpless_pb";
+import { fixed } from "../lib/format";
+import { modeLook } from "../lib/modes";
+import { colour, onTheme } from "../lib/theme";
+import { history } from "../stream/log";
+import { onFrame } from "../stream/frame";
+import type { PlotSpec } from "./plots";
+import { spans, timeLabel, window_s } from "./time_axis";
+
+export function Plot({ spec, axis }: { spec: PlotSpec; axis: boolean }) {
+  const box = useRef<HTMLDivElement>(null);
+  const values = useRef<HTMLSpanElement>(null);
+  useEffect(() => (box.current ? mount(box.current, values.current, spec, axis) : undefined), [spec.id, axis]);
+  return (
+    <figure class="plot" aria-label={`${spec.title} over time, ${spec.unit}`}>
+      <figcaption>
+        <b>{spec.title}</b> <span class="unit">{spec.unit}</span>
+        <span class="grow" />
+        <span class="plot-values num" ref={values} data-testid={`plot-${spec.id}`} />
+      </figcaption>
+      <div class="plot-box" ref={box} />
+    </figure>
+  );
+}
+
+function mount(box: HTMLElement, values: HTMLElement | null, spec: PlotSpec, axis: boolean): () => void {
+  let plot: uPlot | undefined;
+  const make = (): void => {
+    plot?.destroy();
+    plot = new uPlot(options(spec, axis, box.clientWidth, box.clientHeight), dataOf(spec), box);
+  };
+  const feed = (): void => {
+    if (!plot || !box.clientHeight) return;
+    const to = history.last();
+    plot.setData(dataOf(spec), false);
+    plot.setScale("x", Number.isFinite(to) ? { min: to - window_s(), max: to } : { min: 0, max: window_s() });
+    if (values) showValues(values, spec, plot);
+  };
+  make();
+  const size = new ResizeObserver(() => {
+    if (box.clientWidth && box.clientHeight) plot?.setSize({ width: box.clientWidth, height: box.clientHeight });
+  });
+  size.observe(box);
+  const stopFrames = onFrame(feed);
+  const stopTheme = onTheme(make);
+  return () => {
+    size.disconnect();
+    stopFrames();
+    stopTheme();
+    plot?.destroy();
+  };
+}
+
+function dataOf(spec: PlotSpec): uPlot.AlignedData {
+  const none = history.time.map(() => null);
+  return [history.time, ...spec.traces.map((trace) => history.columns[trace.column] ?? none)];
+}
+
+/** Values under the cursor, else the newest: measured first, then the reference behind an arrow. */
+function showValues(element: HTMLElement, spec: PlotSpec, plot: uPlot): void {
+  const index = plot.cursor.idx ?? history.time.length - 1;
+  const text = [...spec.traces]
+    .reverse()
+    .map((trace) => {
+      const value = history.columns[trace.column]?.[index];
+      const shown = spec.heading && value != null ? ((value % 360) + 360) % 360 : value;
+      return (trace.look === "reference" ? "ref " : "") + fixed(shown, spec.decimals);
+    })
+    .join("   ");
+  if (element.textContent !== text) element.textContent = text;
+}
+
+function options(spec: PlotSpec, axis: boolean, width: number, height: number): uPlot.Options {
+  const ink = colour("--ink-2");
+  const grid = { stroke: colour("--grid"), width: 1 };
+  const font = "10px system-ui, sans-serif";
+  return {
+    width: Math.max(60, width),
+    height: Math.max(40, height),
+    legend: { show: false },
+    cursor: { sync: { key: "live" }, drag: { x: false, y: false }, points: { size: 5 }, y: false },
+    padding: [5, 8, axis ? 0 : 5, 0],
+    scales: {
+      x: { time: false },
+      y: { dir: spec.downward ? -1 : 1, range: (_, low, high) => span(low, high, spec.smallestSpan) },
+    },
+    axes: [
+      {
+        show: axis, stroke: ink, font, grid, ticks: { show: false }, size: 16, gap: 2, space: 56,
+        splits: (plot) => timeSplits(plot), values: (_, ticks) => ticks.map((t) => timeLabel(t, history.last())),
+      },
+      {
+        stroke: ink, font, grid, ticks: { show: false }, size: 38, gap: 3, space: 22,
+        values: (_, ticks) => axisTexts(ticks, spec.heading ?? false),
+      },
+    ],
+    series: [
+      {},
+      ...spec.traces.map((trace): uPlot.Series => ({
+        stroke: colour(trace.look === "measured" ? "--trace" : "--reference"),
+        width: trace.look === "measured" ? 1.6 : 1.3,
+        ...(trace.look === "reference" ? { dash: [5, 4] } : {}),
+        points: { show: false },
+        spanGaps: false,
+      })),
+    ],
+    hooks: { drawClear: [shade] },
+  };
+}
+
+function span(low: number | null, high: number | null, smallest: number): [number, number] {
+  if (low === null || high === null) return [0, smallest];
+  const room = Math.max((high - low) * 0.08, (smallest - (high - low)) / 2, 1e-9);
+  return [low - room, high + room];
+}
+
+function timeSplits(plot: uPlot): number[] {
+  const { min = 0, max = 0 } = plot.scales.x ?? {};
+  const steps = [5, 10, 20, 30, 60, 120, 300];
+  const most = Math.max(2, plot.width / 60);
+  const step = steps.find((s) => (max - min) / s <= most) ?? 600;
+  const origin = Number.isFinite(history.missionStart) ? history.missionStart : max;
+  const ticks: number[] = [];
+  for (let k = Math.ceil((min - origin) / step); origin + k * step <= max; k++) ticks.push(origin + k * step);
+  return ticks;
+}
+
+function axisTexts(ticks: number[], heading: boolean): string[] {
+  const step = Math.abs((ticks[1] ?? 1) - (ticks[0] ?? 0));
+  const decimals = Math.min(3, Math.max(0, Math.ceil(-Math.log10(step || 1) - 1e-9)));
+  return ticks.map((tick) => fixed(heading ? ((tick % 360) + 360) % 360 : tick, decimals));
+}
+
+/** Mode as a faint ground with its letter at the top: colour never alone. */
+function shade(plot: uPlot): void {
+  const { left, top, width, height } = plot.bbox;
+  const { min, max } = plot.scales.x ?? {};
+  if (min == null || max == null) return;
+  const g = plot.ctx;
+  const scale = devicePixelRatio || 1;
+  g.save();
+  g.font = `700 ${9 * scale}px system-ui, sans-serif`;
+  g.textBaseline = "top";
+  for (const { mode, start, end } of spans(min, max)) {
+    if (mode === Mode.UNSPECIFIED) continue;
+    const look = modeLook(mode);
+    const x0 = left + ((Math.max(start, min) - min) / (max - min)) * width;
+    const x1 = left + ((Math.min(end, max) - min) / (max - min)) * width;
+    g.globalAlpha = 0.13;
+    g.fillStyle = look.colour;
+    g.fillRect(x0, top, x1 - x0, height);
+    g.globalAlpha = 0.9;
+    g.fillRect(x0, top, x1 - x0, 2 * scale);
+    if (x1 - x0 > 14 * scale) {
+      g.fillStyle = colour("--ink-2");
+      g.fillText(look.letter, x0 + 4 * scale, top + 4 * scale);
+    }
+  }
+  g.restore();
+}

@@ -1,0 +1,44 @@
+// Where the vehicle is and how it follows its path, in numbers.
+import { fixed, signed } from "../lib/format";
+import { useFrame } from "../stream/frame";
+import { live } from "../stream/store";
+import { Empty, Panel } from "../ui/panel";
+
+export function StatePanel() {
+  return (
+    <Panel title="State" topic="tlm/navigation" unit="NED" class="state-panel">
+      <Figures />
+    </Panel>
+  );
+}
+
+function Figures() {
+  useFrame();
+  const nav = live.latest("tlm/navigation");
+  const guidance = live.latest("tlm/guidance");
+  if (!nav) return <Empty>The vehicle's estimate appears with the first telemetry.</Empty>;
+  const current = nav.currentEstimateNedMps;
+  const heading = nav.attitude && ((nav.attitude.yawDeg % 360) + 360) % 360;
+  const cells: [string, string, string][] = [
+    ["North", fixed(nav.positionNedM?.x, 1), "m"],
+    ["East", fixed(nav.positionNedM?.y, 1), "m"],
+    ["Depth", fixed(nav.depthM, 2), "m"],
+    ["Heading", fixed(heading, 1), "°"],
+    ["Roll", signed(nav.attitude?.rollDeg, 1), "°"],
+    ["Pitch", signed(nav.attitude?.pitchDeg, 1), "°"],
+    ["Over ground", fixed(nav.speedOverGroundMps, 2), "m/s"],
+    ["Current", fixed(current && Math.hypot(current.x, current.y), 2), "m/s"],
+    ["Cross-track", signed(guidance?.crossTrackErrorM, 2), "m"],
+    ["Leg", guidance ? `${guidance.leg + 1}/${guidance.legCount}` : "–", ""],
+  ];
+  return (
+    <dl class="cells">
+      {cells.map(([name, value, unit]) => (
+        <div key={name}>
+          <dt>{name}</dt>
+          <dd><b class="num">{value}</b>{unit && <span class="unit"> {unit}</span>}</dd>
+        </div>
+      ))}
+    </dl>
+  );
+}

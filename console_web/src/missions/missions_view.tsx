@@ -1,0 +1,61 @@
+// Missions: the list, a place to drop a file, and the chosen mission in full.
+import { useEffect } from "preact/hooks";
+import { missions } from "../api/resources";
+import type { MissionSummary } from "../api/types";
+import { clock } from "../lib/format";
+import { isFlying, phaseNow } from "../live/link_state";
+import { useFrame } from "../stream/frame";
+import { live } from "../stream/store";
+import { RecordIcon } from "../ui/icons";
+import { Empty, Panel } from "../ui/panel";
+import { choose, commandState } from "./commands";
+import { MissionDetails } from "./mission_details";
+import { UploadZone } from "./upload";
+
+export function MissionsView() {
+  useEffect(() => void missions.refresh(), []);
+  return (
+    <main class="view missions" aria-label="Missions">
+      <div class="column">
+        <UploadZone />
+        <MissionList />
+      </div>
+      <MissionDetails />
+    </main>
+  );
+}
+
+function MissionList() {
+  useFrame();
+  const { value: list, refusal } = missions.use();
+  const flying = isFlying(phaseNow()) ? live.latest("tlm/mission")?.missionSha256 : undefined;
+  return (
+    <Panel title="Missions" class="mission-list" aside={<span class="muted num">{list?.length ?? ""}</span>}>
+      {refusal && <Empty>The list cannot be read: {refusal.reason}</Empty>}
+      {list?.length === 0 && <Empty>No missions yet. Drop a mission file above, or choose one.</Empty>}
+      <ul class="rows">
+        {list?.map((mission) => (
+          <MissionRow key={mission.name} mission={mission} flying={mission.sha256 !== undefined && mission.sha256 === flying} />
+        ))}
+      </ul>
+    </Panel>
+  );
+}
+
+function MissionRow({ mission, flying }: { mission: MissionSummary; flying: boolean }) {
+  return (
+    <li>
+      <button type="button" class="row" aria-pressed={commandState.chosen === mission.name} onClick={() => choose(mission.name)}>
+        <span class="row-title">
+          <b>{mission.title || mission.name}</b>
+          {flying && <span class="chip" data-look="running"><RecordIcon size={9} /> flying</span>}
+          {mission.builtin === false && <span class="tag">uploaded</span>}
+        </span>
+        <span class="row-text muted">
+          <span class="code">{mission.name}</span>
+          {mission.duration_s !== undefined && <span class="num">{clock(mission.duration_s)}</span>}
+        </span>
+      </button>
+    </li>
+  );
+}

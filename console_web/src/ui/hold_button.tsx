@@ -1,0 +1,67 @@
+// A button that acts only when held down: pointer, Space or Enter. Letting go cancels.
+import type { ComponentChildren } from "preact";
+import { useEffect, useRef, useState } from "preact/hooks";
+
+interface HoldProps {
+  /** What it does, for a screen reader; the holding is added. */
+  name: string;
+  holdMs?: number;
+  disabled?: boolean;
+  class?: string;
+  title?: string;
+  onHeld: () => void;
+  children: ComponentChildren;
+}
+
+export function HoldButton({ name, holdMs = 1000, disabled, class: look, title, onHeld, children }: HoldProps) {
+  const [holding, setHolding] = useState(false);
+  const timer = useRef<ReturnType<typeof setTimeout> | undefined>(undefined);
+  const action = useRef(onHeld);
+  action.current = onHeld;
+
+  const release = (): void => {
+    clearTimeout(timer.current);
+    timer.current = undefined;
+    setHolding(false);
+  };
+  const press = (): void => {
+    if (disabled || timer.current !== undefined) return;
+    setHolding(true);
+    timer.current = setTimeout(() => {
+      release();
+      action.current();
+    }, holdMs);
+  };
+  useEffect(() => release, []);
+  useEffect(() => {
+    if (disabled) release();
+  }, [disabled]);
+
+  const isHoldKey = (event: KeyboardEvent): boolean => event.key === " " || event.key === "Enter";
+  return (
+    <button
+      type="button"
+      class={`hold ${look ?? ""}`}
+      data-holding={holding ? "yes" : undefined}
+      disabled={disabled}
+      title={title}
+      aria-label={`${name}: press and hold for ${(holdMs / 1000).toFixed(1)} s`}
+      style={{ "--hold": `${holdMs}ms` }}
+      onPointerDown={(event) => event.button === 0 && press()}
+      onPointerUp={release}
+      onPointerLeave={release}
+      onPointerCancel={release}
+      onBlur={release}
+      onContextMenu={(event) => event.preventDefault()}
+      onKeyDown={(event) => {
+        if (!isHoldKey(event)) return;
+        event.preventDefault();
+        if (!event.repeat) press();
+      }}
+      onKeyUp={(event) => isHoldKey(event) && release()}
+    >
+      <span class="hold-fill" aria-hidden="true" />
+      <span class="hold-label">{children}</span>
+    </button>
+  );
+}

@@ -1,0 +1,52 @@
+// A titled box. Given a topic it dims and says how old the values are when they are not present.
+import type { ComponentChildren } from "preact";
+import { age } from "../lib/format";
+import { useFrame } from "../stream/frame";
+import { live } from "../stream/store";
+import type { TopicName } from "../stream/topics";
+
+interface PanelProps {
+  title: string;
+  /** The topic whose age decides whether the content is present. */
+  topic?: TopicName;
+  unit?: string;
+  aside?: ComponentChildren;
+  class?: string;
+  children: ComponentChildren;
+}
+
+export function Panel({ title, topic, unit, aside, class: name, children }: PanelProps) {
+  return (
+    <section class={`panel ${name ?? ""}`} aria-label={title}>
+      <header class="panel-head">
+        <h2>{title}</h2>
+        {unit && <span class="unit">{unit}</span>}
+        <span class="grow" />
+        {topic && <AgeChip topic={topic} />}
+        {aside}
+      </header>
+      {topic ? <Freshness topic={topic}>{children}</Freshness> : <div class="panel-body">{children}</div>}
+    </section>
+  );
+}
+
+/** Nothing while the topic is present; its age when it is not. */
+export function AgeChip({ topic }: { topic: TopicName }) {
+  useFrame();
+  const seconds = live.age(topic);
+  if (live.isFresh(topic)) return null;
+  const text = seconds === undefined ? "no data" : `stale ${age(seconds)}`;
+  return <span class="age-chip" data-testid={`age-${topic}`}>{text}</span>;
+}
+
+function Freshness({ topic, children }: { topic: TopicName; children: ComponentChildren }) {
+  useFrame();
+  const known = live.latest(topic) !== undefined;
+  const state = live.isFresh(topic) ? "fresh" : known ? "stale" : "empty";
+  return <div class="panel-body" data-state={state}>{children}</div>;
+}
+
+/** What to do next, where there is nothing to show yet. */
+export function Empty({ children }: { children: ComponentChildren }) {
+  return <p class="empty">{children}</p>;
+}

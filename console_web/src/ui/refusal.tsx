@@ -1,0 +1,59 @@
+// A refusal as it came: the reason in one sentence, then each problem with its place and rule.
+import type { Problem, Refusal } from "../api/http";
+import { AlarmIcon, CrossIcon } from "./icons";
+
+export function RefusalNotice({ title, refusal, onClose }: { title: string; refusal: Refusal; onClose?: () => void }) {
+  return (
+    <div class="refusal" role="alert">
+      <AlarmIcon size={16} />
+      <p>
+        <strong>{title}</strong> <span>{refusal.reason}</span>
+      </p>
+      {onClose && (
+        <button type="button" class="quiet" aria-label="Dismiss" onClick={onClose}>
+          <CrossIcon />
+        </button>
+      )}
+    </div>
+  );
+}
+
+export function ProblemTable({ problems, onPick }: { problems: Problem[]; onPick?: (line: number) => void }) {
+  return (
+    <table class="problems" aria-label="Problems">
+      <thead>
+        <tr>
+          <th scope="col">File</th>
+          <th scope="col" class="num">Line</th>
+          <th scope="col">Field</th>
+          <th scope="col">Value</th>
+          <th scope="col">Rule</th>
+        </tr>
+      </thead>
+      <tbody>
+        {problems.map((p) => (
+          <tr key={`${p.line}:${p.column}:${p.field}:${p.rule}`}>
+            <td>{p.file || "–"}</td>
+            <td class="num">
+              {p.line && onPick ? (
+                <button type="button" class="link" onClick={() => onPick(p.line)}>
+                  {place(p)}
+                </button>
+              ) : (
+                place(p)
+              )}
+            </td>
+            <td class="code">{p.field || "–"}</td>
+            <td class="code">{p.value || "–"}</td>
+            <td>{p.rule}</td>
+          </tr>
+        ))}
+      </tbody>
+    </table>
+  );
+}
+
+function place(problem: Problem): string {
+  if (!problem.line) return "–";
+  return problem.column ? `${problem.line}:${problem.column}` : String(problem.line);
+}

@@ -1,0 +1,85 @@
+// The draft's state and its three actions: undo, revert, apply. What the vehicle answered stays
+// in sight until the next edit.
+import { useFrame } from "../stream/frame";
+import { live } from "../stream/store";
+import { linkNow } from "../live/link_state";
+import { CheckIcon, RedoIcon, UndoIcon, WarningIcon } from "../ui/icons";
+import { ProblemTable, RefusalNotice } from "../ui/refusal";
+import { draft } from "./draft";
+import { isOutside } from "./ranges";
+
+const SLOW_MS = 3000;
+
+export function ApplyBar() {
+  useFrame();
+  const { apply } = draft.use();
+  const changed = draft.changedPaths();
+  const outside = changed.filter((path) => {
+    const value = draft.value(path);
+    return typeof value === "number" && isOutside(path, value);
+  }).length;
+  const busy = apply.state === "sending" || apply.state === "awaiting";
+  const live_ = linkNow().look === "live";
+  const ready = changed.length > 0 && draft.invalid.size === 0 && !busy && live_;
+  return (
+    <section class="panel apply" aria-label="Draft">
+      <div class="apply-line">
+        <span class="apply-state" role="status">
+          {changed.length === 0 ? "The draft equals what the vehicle flies with." : `${changed.length} ${changed.length === 1 ? "change" : "changes"} in the draft, not active yet.`}
+          {outside > 0 && <span class="lost"> {outside} out of range.</span>}
+        </span>
+        <Outcome />
+        <span class="grow" />
+        <button type="button" class="quiet" aria-label="Undo" title="Undo (Ctrl+Z)" disabled={!draft.canUndo()} onClick={() => draft.undo()}>
+          <UndoIcon />
+        </button>
+        <button type="button" class="quiet" aria-label="Redo" title="Redo (Ctrl+Shift+Z)" disabled={!draft.canRedo()} onClick={() => draft.redo()}>
+          <RedoIcon />
+        </button>
+        <button type="button" class="action" disabled={changed.length === 0 || busy} onClick={() => draft.revertAll()}>
+          Revert all
+        </button>
+        <button type="button" class="action primary" disabled={!ready} onClick={() => void draft.send()}>
+          {busy ? "Applying" : "Apply to vehicle"}
+        </button>
+      </div>
+      {apply.state === "refused" && (
+        <>
+          <RefusalNotice title="Refused; nothing was changed." refusal={apply.refusal} onClose={() => draft.dismiss()} />
+          {apply.refusal.problems.length > 0 && <ProblemTable problems={apply.refusal.problems} />}
+        </>
+      )}
+    </section>
+  );
+}
+
+function Outcome() {
+  const { apply } = draft.use();
+  const revision = live.latest("tlm/parameters")?.revision;
+  switch (apply.state) {
+    case "sending":
+      return <span class="chip" data-look="waiting">Sent to the vehicle</span>;
+    case "awaiting": {
+      const slow = performance.now() - apply.since > SLOW_MS;
+      return (
+        <span class="chip" data-look={slow ? "stale" : "waiting"}>
+          {slow && <WarningIcon />} Accepted, waiting for revision {apply.revision} on the stream
+        </span>
+      );
+    }
+    case "confirmed":
+      return (
+        <span class="chip" data-look="live">
+          <CheckIcon /> Confirmed by the vehicle, revision {apply.revision}
+        </span>
+      );
+    case "differs":
+      return (
+        <span class="chip" data-look="lost" title={apply.paths.join("\n")}>
+          <WarningIcon /> The vehicle flies other values in {apply.paths.length} field(s)
+        </span>
+      );
+    default:
+      return revision === undefined ? null : <span class="muted">Active: revision <span class="num">{String(revision)}</span></span>;
+  }
+}
