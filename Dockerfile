@@ -22,7 +22,7 @@ ENV PATH=/opt/bumpless/bin:$PATH \
 USER 10001
 WORKDIR /data
 # Compiled for the processor that builds the image; another one compiles once more at its first start.
-RUN python -c 'from twin import simulation, vehicle; simulation.Twin(vehicle.load_vehicle("ts100")).step()'
+RUN python -m twin.warm_up
 VOLUME /data
 EXPOSE 8080
 ENTRYPOINT ["bumpless"]

@@ -107,8 +107,8 @@ $(DONE)/project: $(DONE)/run pyproject.toml
 	@touch $@
 
 $(DONE)/compiled: $(DONE)/project $(TWIN)
-	@echo "Compiling the control cycle for this processor (once, about a minute) ..."
-	@$(PY) -c 'from twin import simulation, vehicle; simulation.Twin(vehicle.load_vehicle("ts100")).step()'
+	@echo "Compiling for this processor (once; a minute or two) ..."
+	@$(PY) -m twin.warm_up missions/docking.yaml
 	@touch $@
 
 .PHONY: help run test check check-gen check-leaks gen bench format console chromium lock clean

@@ -2,11 +2,12 @@
 
 Numba's file cache notices a change of the file that holds a function, but not of the files that
 hold the functions it calls. The cache folder is therefore named by a digest of every source file
-of `twin` and of the versions that matter, so that any change compiles anew.
+that holds compiled code, of all that these import from `twin`, and of the versions that matter.
 """
 
 import hashlib
 import os
+import re
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -16,9 +17,25 @@ import numba
 import numpy as np
 
 
+def compiled_sources(root: Path = Path(__file__).parent) -> list[Path]:
+    """Every file under `root` (the package `twin`) that compiled code can depend on, sorted."""
+    texts = {path: path.read_text(encoding="utf-8") for path in root.rglob("*.py")}
+    seed = re.compile(r"^\s*(from twin\.compiled import|(from|import) numba)", re.MULTILINE)
+    waiting = [path for path, text in texts.items() if seed.search(text)]
+    found: set[Path] = set()
+    while waiting:
+        path = waiting.pop()
+        if path in texts and path not in found:
+            found.add(path)
+            for name in re.findall(r"^\s*(?:from|import) twin\.([\w.]+)", texts[path], re.MULTILINE):
+                module = root / name.replace(".", "/")
+                waiting += [module.with_suffix(".py"), module / "__init__.py"]
+    return sorted(found)
+
+
 def _digest() -> str:
     h = hashlib.sha256(f"{numba.__version__} {np.__version__} {sys.version}".encode())
-    for path in sorted(Path(__file__).parent.rglob("*.py")):
+    for path in compiled_sources():
         h.update(path.read_bytes())
     return h.hexdigest()[:16]
 
