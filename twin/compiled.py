@@ -33,6 +33,9 @@ def compiled_sources(root: Path = Path(__file__).parent) -> list[Path]:
     return sorted(found)
 
 
+_MARKS = (b"from twin.compiled import", b"from numba import", b"import numba")
+
+
 def _digest() -> str:
     h = hashlib.sha256(f"{numba.__version__} {np.__version__} {sys.version}".encode())
     for path in compiled_sources():
