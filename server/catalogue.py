@@ -9,7 +9,7 @@ import json
 import logging
 import sqlite3
 import threading
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import asdict, dataclass, fields
 from pathlib import Path
 from typing import Any
@@ -64,8 +64,11 @@ class Catalogue:
                 self._db.close()
                 self._db = None
 
-    def refresh(self, busy: Path | None = None) -> list[Path]:
-        """Make the index agree with the files; returns those that were repaired. `busy` is left alone."""
+    def refresh(self, busy: Callable[[], Path | None] = lambda: None) -> list[Path]:
+        """Make the index agree with the files; returns those that were repaired.
+
+        The file that `busy` names is being written and is left alone.
+        """
         repaired = []
         with self._lock:
             known = {
@@ -74,7 +77,7 @@ class Catalogue:
         present = set()
         for path in sorted(self._folder.glob("*.mcap")):
             present.add(path.stem)
-            if path == busy:
+            if path == busy():
                 continue
             with contextlib.suppress(FileNotFoundError):
                 if not is_whole(path) and _repaired(path):

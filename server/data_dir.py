@@ -57,6 +57,7 @@ class DataDir:
         except FileNotFoundError:
             pass
         key = secrets.token_bytes(32)
+        self.root.mkdir(parents=True, exist_ok=True)
         write_whole(path, key, mode=0o600)
         return key
 

@@ -49,11 +49,13 @@ class Guard:
         refusal = self._auth.refusal(scope["method"], headers)
         if refusal is not None and refusal[0] == 401:
             if is_page:
-                return await self._log_in(scope, send)
+                await self._log_in(scope, send)
+                return
             if path in OPEN_PATHS:
                 refusal = None
         if refusal is not None:
-            return await _refuse(send, *refusal)
+            await _refuse(send, *refusal)
+            return
         cookie = is_page and not self._auth.has_session(headers)
 
         async def send_more(message: Message) -> None:
@@ -80,9 +82,8 @@ class Guard:
     def _cookie(self, scope: Scope) -> str:
         jar = SimpleCookie()
         jar[COOKIE] = self._auth.new_session()
-        jar[COOKIE].update({"path": "/", "httponly": True, "samesite": "Strict"})
-        if scope.get("scheme") == "https":
-            jar[COOKIE]["secure"] = True
+        secure = {"secure": "1"} if scope.get("scheme") == "https" else {}
+        jar[COOKIE].update({"path": "/", "httponly": "1", "samesite": "Strict", **secure})
         return jar[COOKIE].OutputString()
 
 

@@ -105,12 +105,14 @@ class Recorder:
             action(*arguments)
         except Exception as error:
             log.exception("the recorder failed")
-            run, self._run, self._end = self._run, None, None
+            run, self._end = self._run, None
             self._retry_at = time.monotonic() + RETRY_S
             name = "the run" if run is None else run.id
             self._say(pb.SEVERITY_ALARM, "recorder_failed", f"Recording of {name} failed: {error}", {})
             if run is not None:
+                run.abandon()
                 self._closed(run.path)
+            self._run = None
 
     def _wait_s(self) -> float | None:
         if self._run is None:
@@ -180,13 +182,14 @@ class Recorder:
         self._finish(state, status.end_reason or _REASONS.get(status.phase, "the vehicle is idle"))
 
     def _finish(self, state: str, reason: str) -> None:
-        run, self._run, self._end = self._run, None, None
+        run, self._end = self._run, None
         if run is None:
             return
         try:
             run.finish(state, reason, self._queue.dropped - self._dropped_before)
         finally:
             self._closed(run.path)
+            self._run = None  # only now: a run is always either being recorded or in the catalogue
         log.info("closed %s (%s: %s)", run.path, state, reason)
 
     def _period_s(self) -> float:

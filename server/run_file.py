@@ -1,5 +1,6 @@
 """One run being recorded: its MCAP file from the first message to the metrics at its end."""
 
+import contextlib
 import time
 from pathlib import Path
 
@@ -83,6 +84,11 @@ class RunFile:
         finally:
             self._writer.close()
         return metrics
+
+    def abandon(self) -> None:
+        """Close the file after a failure, as well as the disk allows."""
+        with contextlib.suppress(Exception):
+            self._writer.close()
 
     def _attach(self, sample: Sample) -> None:
         """Keep mission and parameters as files of their own, as soon as the vehicle has told them."""

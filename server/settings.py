@@ -5,7 +5,7 @@ import ipaddress
 import os
 import shlex
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 from pydantic import Field, SecretStr, ValidationError, field_validator
 from pydantic_settings import BaseSettings, NoDecode, SettingsConfigDict
@@ -39,11 +39,14 @@ class Settings(BaseSettings):
         ("tcp/127.0.0.1:7447",), description="endpoints where the server's bus session listens"
     )
     zenoh_connect: Names = Field((), description="endpoints the server's bus session connects to")
+    scene: Literal["full", "light", "off"] = Field(
+        "full", description="the 3-D scene; light draws fewer polygons for machines without a GPU"
+    )
     token: SecretStr | None = Field(None, description="shared secret a browser must give once, see README")
     allowed_hosts: Names = Field(
         (), description="further host names the console is reached by, such as a reverse proxy's"
     )
-    command_timeout_s: float = Field(3.0, gt=0, le=60, description="how long a vehicle may take to answer")
+    command_timeout_s: float = Field(5.0, gt=0, le=60, description="how long a vehicle may take to answer")
     recorder_queue_messages: int = Field(20_000, ge=1, description="messages that may wait for the disk")
     recorder_queue_bytes: int = Field(64_000_000, ge=1, description="bytes that may wait for the disk")
     upload_bytes: int = Field(1_000_000, ge=1, description="largest mission file or preset accepted")

@@ -115,7 +115,9 @@ class Stream:
                 await client.wait()
                 await asyncio.sleep(GATHER_S)
                 started = loop.time()
-                await send(frame_of(client.take()))
+                samples = client.take()
+                if samples:
+                    await send(frame_of(samples))
                 await asyncio.sleep(max(0.0, started + FRAME_PERIOD_S - GATHER_S - loop.time()))
         finally:
             self.leave(client)

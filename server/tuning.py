@@ -3,7 +3,6 @@
 from typing import Any
 
 from google.protobuf import json_format
-from google.protobuf.descriptor import Descriptor
 
 from twin.contract import bumpless_pb2 as pb
 from twin.parameters import RANGES, check, default_parameters, from_message
@@ -53,8 +52,8 @@ def parse(given: Any, vehicle: Vehicle | None) -> pb.Parameters:
     return message
 
 
-def _shape(given: dict[str, Any], kind: Descriptor, path: str) -> list[Problem]:
-    """Missing and unknown fields: an absent number would silently become zero."""
+def _shape(given: dict[str, Any], kind: Any, path: str) -> list[Problem]:
+    """Missing and unknown fields of a message descriptor: an absent number would become zero unnoticed."""
     prefix = f"{path}." if path else ""
     known = {field.name: field for field in kind.fields}
     found = [
