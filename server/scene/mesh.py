@@ -35,7 +35,7 @@ def revolve(stations: npt.ArrayLike, segments: int) -> Mesh:
     vertices[:, :, 0] = profile[:, 0, None]
     i, j = np.meshgrid(np.arange(len(profile) - 1), np.arange(segments), indexing="ij")
     a, b = i * segments + j, i * segments + (j + 1) % segments
-    faces = np.stack([a, b, b + segments, a, b + segments, a + segments], axis=-1)
+    faces = np.stack([a, b + segments, b, a, a + segments, b + segments], axis=-1)
     return _mesh(vertices, faces)
 
 

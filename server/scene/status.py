@@ -5,7 +5,7 @@ from math import isfinite
 from server.scene.palette import MODE_NAME
 from twin.contract import bumpless_pb2 as pb
 
-PHASE_NAME = {
+PHASE_NAME: dict[int, str] = {
     pb.MISSION_PHASE_IDLE: "Idle",
     pb.MISSION_PHASE_PAUSED: "Paused",
     pb.MISSION_PHASE_COMPLETED: "Completed",
