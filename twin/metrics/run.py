@@ -1,0 +1,61 @@
+"""The columns of a run that metrics are made of."""
+
+from dataclasses import dataclass, fields
+from typing import Any, Self
+
+import numpy as np
+import numpy.typing as npt
+
+Floats = npt.NDArray[np.float64]
+Integers = npt.NDArray[np.int64]
+
+_FLYING = (0, 2, 3)  # MissionPhase: not said, running, paused
+
+
+@dataclass(frozen=True)
+class Run:
+    """One row per control cycle (n rows, n_u actuators), named and scaled as in `records.LOG`.
+
+    Only cycles in which the mission ran are kept. Columns of truth are NaN where nobody knew it.
+    """
+
+    time: Floats  # (n,) s since mission start
+    cycle: Integers  # (n,)
+    mode: Integers  # (n,) records.FORWARD, REVERSE, HOVER
+    kappa: Floats  # (n,)
+    range: Floats  # (n,) m, to the observation point
+    depth: Floats  # (n,) m, measured
+    eta_hat: Floats  # (n, 6) m and rad
+    nu_hat: Floats  # (n, 6) m/s and rad/s
+    tau_d: Floats  # (n, 6) N and N m
+    tau_plus: Floats  # (n, 6)
+    tau_minus: Floats  # (n, 6)
+    tau_c: Floats  # (n, 6) by the allocator's model
+    tau: Floats  # (n, 6) the plant's true wrench
+    u: Floats  # (n, n_u) commands, rad or rev/s
+    du_max: Floats  # (n, n_u) increment bound of the cycle
+    status: Integers  # (n,) SolveStatus
+    solve_time: Floats  # (n,) s
+
+    @classmethod
+    def from_log(cls, log: npt.NDArray[Any], n_u: int) -> Self:
+        """From an array of records.LOG rows; rows outside the mission are left out."""
+        rows = log[np.isin(log["phase"], _FLYING)]
+        columns = {f.name: np.array(rows[f.name]) for f in fields(cls)}
+        for name in ("u", "du_max"):
+            columns[name] = columns[name][:, :n_u]
+        return cls(**columns)
+
+    def __len__(self) -> int:
+        return len(self.time)
+
+    @property
+    def follows(self) -> npt.NDArray[np.bool_]:
+        """(n,) whether the row before is the cycle before; False for the first row and after a gap."""
+        first = np.zeros(min(len(self), 1), bool)
+        return np.concatenate([first, np.diff(self.cycle) == 1])
+
+    @property
+    def missing(self) -> int:
+        """Cycles between the first and the last that are not in the log."""
+        return int(self.cycle[-1] - self.cycle[0] + 1 - len(self)) if len(self) else 0
