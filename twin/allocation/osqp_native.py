@@ -27,14 +27,24 @@ import numpy as np
 from numba import carray, njit
 
 from twin.allocation.qp_handle import FUNCTIONS, MEMORY, OSQP_NATIVE, WORKSPACE, new_handle
-from twin.allocation.qp_memory import address_of, call_1, call_2, call_3, call_4, call_7, floats_at, ints_at
-from twin.allocation.qp_memory import stack_floats
+from twin.allocation.qp_memory import (
+    address_of,
+    call_1,
+    call_2,
+    call_3,
+    call_4,
+    call_7,
+    floats_at,
+    ints_at,
+    stack_floats,
+)
 from twin.allocation.qp_scaling import UPPER_TRIANGLE, scale
+from twin.allocation.qp_state import adopt
 from twin.records import MAX_ACTUATORS
 
 KNOWN_VERSIONS = (b"1.0.0",)
 MAX_ITERATIONS = 10
-STEADY_ITERATIONS = 2  # the guess of active bounds counts as settled after so many equal ones
+STEADY_ITERATIONS = 1  # further iterations that must repeat the guess of active bounds
 RHO_INTERVAL = 5  # iterations between adaptations of rho
 
 _N = MAX_ACTUATORS
@@ -203,9 +213,8 @@ def make_native_handle() -> np.ndarray | None:
 
 @njit(cache=True, nogil=True, error_model="numpy")
 def iterate(handle, H, g, lb, ub, x, n, state):
-    """Up to MAX_ITERATIONS of ADMM from x. Writes the guess of active bounds into state (-1, 0, 1)
-    and the iterate, inside its bounds, into x. Returns the iterations, negative on failure (x and
-    state are then untouched)."""
+    """Up to MAX_ITERATIONS of ADMM from x. Writes state and x as `qp_state.adopt` does. Returns the
+    iterations, negative on failure (x and state are then untouched)."""
     solver = handle[WORKSPACE]
     at_d, at_P, at_q = stack_floats(_N), stack_floats(UPPER_TRIANGLE), stack_floats(_N)
     at_l, at_u, at_s = stack_floats(_N), stack_floats(_N), stack_floats(_N)
@@ -214,9 +223,7 @@ def iterate(handle, H, g, lb, ub, x, n, state):
     scale(H, g, lb, ub, x, n, d, carray(at_P, (UPPER_TRIANGLE,)), q, lower, upper, s)
     error = call_7(handle[_UPDATE_MATRIX], solver, address_of(at_P), 0, UPPER_TRIANGLE, 0, 0, 0)
     if error == 0:
-        error = call_4(
-            handle[_UPDATE_VECTORS], solver, address_of(at_q), address_of(at_l), address_of(at_u)
-        )
+        error = call_4(handle[_UPDATE_VECTORS], solver, address_of(at_q), address_of(at_l), address_of(at_u))
     if error == 0:
         error = call_3(handle[_WARM_START], solver, address_of(at_s), 0)
     if error != 0:
@@ -247,11 +254,5 @@ def iterate(handle, H, g, lb, ub, x, n, state):
         if not (math.isfinite(z[i]) and math.isfinite(y[i])):
             call_1(handle[_COLD], solver)
             return -k
-    for i in range(n):
-        if z[i] <= lower[i]:
-            state[i], x[i] = -1, lb[i]
-        elif z[i] >= upper[i]:
-            state[i], x[i] = 1, ub[i]
-        else:
-            state[i], x[i] = 0, min(max(z[i] * d[i], lb[i]), ub[i])
+    adopt(d, lower, upper, z, lb, ub, x, n, state)
     return k

@@ -9,16 +9,21 @@ holds addresses of this process, so it is made anew in each process, and serves 
 time. A copied handle is recognised and answered by the built-in active set.
 """
 
+import functools
+
 import numpy as np
 from numba import carray, njit
 
-from twin.allocation import osqp_native
-from twin.allocation.qp_active_set import admit, finish, solve_active_set
+from twin.allocation import osqp_native, qp_daqp, qp_python
+from twin.allocation.qp_active_set import LOWER, UPPER, admit, finish, solve_active_set
 from twin.allocation.qp_handle import (
     ACTIVE_SET,
+    DAQP,
     FIRST_ORDER,
+    FUNCTIONS,
     ITERATIONS,
     OSQP_NATIVE,
+    OSQP_PUBLIC,
     SELF,
     SOLVER,
     new_handle,
@@ -27,18 +32,77 @@ from twin.allocation.qp_memory import stack_ints
 from twin.allocation.qp_status import FALLBACK, SOLVED
 from twin.records import MAX_ACTUATORS
 
+SOLVERS = ("osqp", "active_set", "daqp")
+
 
 def make_handle(solver: str = "osqp") -> np.ndarray:
     """Workspace of a solver, as an int64 array for `solve_box_qp`.
 
-    solver: "active_set", "osqp" or "daqp". Raises ValueError on any other name. What the solver
+    solver: one of SOLVERS. Raises ValueError on any other name, ModuleNotFoundError for daqp where
+    it is not installed; osqp takes the fastest way that works here, see `route`. What the solver
     allocated is freed when the last reference to the array goes.
     """
+    if solver == "osqp":
+        return _osqp_maker()()
     if solver == "active_set":
         return new_handle(ACTIVE_SET)
-    if solver == "osqp":
-        return osqp_native.make_native_handle()
-    raise ValueError(f"allocation.solver = {solver!r}; must be active_set, osqp or daqp")
+    if solver == "daqp":
+        return qp_daqp.make_daqp_handle()
+    raise ValueError(f"allocation.solver = {solver!r}; must be one of {', '.join(SOLVERS)}")
+
+
+def route() -> str:
+    """How "osqp" is answered in this process: "native", "public" or "active_set"."""
+    return {OSQP_NATIVE: "native", OSQP_PUBLIC: "public"}.get(int(make_handle("osqp")[SOLVER]), "active_set")
+
+
+@functools.cache
+def _osqp_maker():
+    """The first way to OSQP that gives right answers on problems with known optimum."""
+    for make in (osqp_native.make_native_handle, qp_python.make_osqp_handle):
+        try:
+            handle = make()
+        except Exception:  # an osqp of another generation may fail in any way: try the next route
+            continue
+        if handle is not None and _answers_rightly(handle):
+            return make
+    return functools.partial(new_handle, ACTIVE_SET)
+
+
+def _answers_rightly(handle: np.ndarray) -> bool:
+    """True if the solver alone, without the exact finish, finds the bounds that hold at the optimum."""
+    rng = np.random.default_rng(20260514)
+    right = 0
+    for _ in range(24):
+        G = rng.normal(size=(MAX_ACTUATORS, MAX_ACTUATORS))
+        H = G.T @ G + MAX_ACTUATORS * np.eye(MAX_ACTUATORS)
+        g = rng.normal(size=MAX_ACTUATORS) * MAX_ACTUATORS
+        ub = rng.uniform(0.1, 1.0, size=MAX_ACTUATORS)
+        exact, x = np.zeros(MAX_ACTUATORS), np.zeros(MAX_ACTUATORS)
+        state = np.zeros(MAX_ACTUATORS, dtype=np.int64)
+        solve_active_set(H, g, -ub, ub, exact, MAX_ACTUATORS)
+        if start(handle, H, g, -ub, ub, x, MAX_ACTUATORS, state) < 1:
+            return False
+        guess, holds = np.array([state == LOWER, state == UPPER]), np.array([exact == -ub, exact == ub])
+        right += int((guess == holds).all(axis=0).sum())
+    return right >= 0.8 * 24 * MAX_ACTUATORS
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def start(handle, H, g, lb, ub, x, n, state):
+    """Let the handle's solver move x near the optimum and guess the bounds that hold there.
+
+    Returns its iterations, negative if it failed, cannot be trusted or is none: x is then untouched.
+    """
+    if handle[SELF] != handle.ctypes.data:
+        return -1
+    if handle[SOLVER] == OSQP_NATIVE:
+        return osqp_native.iterate(handle, H, g, lb, ub, x, n, state)
+    if handle[SOLVER] == DAQP and handle[FUNCTIONS + 1] != 0:
+        return qp_daqp.quadprog(handle, H, g, lb, ub, x, n, state)
+    if handle[SOLVER] == OSQP_PUBLIC or handle[SOLVER] == DAQP:
+        return qp_python.ask(handle, H, g, lb, ub, x, n, state)
+    return -1
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
@@ -47,7 +111,8 @@ def solve_box_qp(handle, H, g, lb, ub, x, n):
 
     H (>=n, >=n) symmetric positive definite, g, lb, ub, x (>=n) float64, n <= MAX_ACTUATORS;
     entries beyond n are ignored. x is the start (any values) and the answer: inside its bounds and
-    never NaN, whatever the status. Bounds may be equal or infinite. Never raises.
+    never NaN, whatever the status. Bounds may be equal or infinite. Never raises. Every solver's
+    answer is finished by the exact active set, so all give the same optimum.
     """
     handle[FIRST_ORDER] = 0
     if handle[SOLVER] == ACTIVE_SET:
@@ -58,16 +123,13 @@ def solve_box_qp(handle, H, g, lb, ub, x, n):
     status = admit(H, g, lb, ub, x, n)
     if status != SOLVED:
         return status
-    first = -1
     state = carray(stack_ints(MAX_ACTUATORS), (MAX_ACTUATORS,))
-    if handle[SELF] == handle.ctypes.data:
-        if handle[SOLVER] == OSQP_NATIVE:
-            first = osqp_native.iterate(handle, H, g, lb, ub, x, n, state)
-    if first < 0:
+    iterations = start(handle, H, g, lb, ub, x, n, state)
+    if iterations < 0:
         status, rounds = solve_active_set(H, g, lb, ub, x, n)
         handle[ITERATIONS] = rounds
         return FALLBACK if status == SOLVED else status
     status, rounds = finish(H, g, lb, ub, x, state, n)
-    handle[FIRST_ORDER] = first
-    handle[ITERATIONS] = first + rounds
+    handle[FIRST_ORDER] = iterations
+    handle[ITERATIONS] = iterations + rounds
     return status

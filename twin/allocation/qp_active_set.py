@@ -23,11 +23,12 @@ from twin.allocation.qp_status import BUDGET_SPENT, INFEASIBLE, REFUSED, SOLVED
 from twin.records import MAX_ACTUATORS
 
 LOWER, FREE, UPPER, FIXED = -1, 0, 1, 2
-NEWTON_ROUNDS = 8  # phase 1 settles in 2-3 rounds, or cycles
+NEWTON_ROUNDS = 6  # phase 1 settles in 2-3 rounds, or cycles
 PRIMAL_ROUNDS = 60  # phase 2 needs about n rounds
 DESCENT_SWEEPS = 200
 PIVOT_LOST = 1e-14  # of the diagonal entry that the pivot started from: the rest is rounding
-DUAL_TOLERANCE = 1e-11  # of a multiplier, relative to the terms that it is summed from
+DUAL_TOLERANCE = 1e-14  # of a multiplier, relative to the terms that it is summed from
+OPTIMALITY = 1e-9  # the same, for the answer to be called solved
 
 _N = MAX_ACTUATORS
 _NN = _N * _N
@@ -92,13 +93,12 @@ def slope(H, g, x, i, n):
 
 @njit(cache=True, nogil=True, error_model="numpy")
 def is_optimal(H, g, lb, ub, x, n):
-    """True where no admissible change of one variable lowers the cost beyond rounding."""
+    """True where no admissible change of one variable lowers the cost beyond OPTIMALITY."""
     for i in range(n):
         s, noise = slope(H, g, x, i, n)
-        # near a bound a slope matters only as far as the variable can still move
-        if s > noise and x[i] > lb[i] and s * (x[i] - lb[i]) > noise * (1e-9 + abs(x[i])):
-            return False
-        if s < -noise and x[i] < ub[i] and -s * (ub[i] - x[i]) > noise * (1e-9 + abs(x[i])):
+        room = x[i] - lb[i] if s > 0.0 else ub[i] - x[i]
+        gain = min(abs(s), room * H[i, i]) if H[i, i] > 0.0 or room == 0.0 else abs(s)
+        if not gain <= OPTIMALITY / DUAL_TOLERANCE * noise:
             return False
     return True
 
@@ -150,13 +150,16 @@ def _primal(H, g, lb, ub, x, state, n, L, free, z):
         for a in range(m):
             i = free[a]
             p = z[i] - x[i]
+            if not math.isfinite(p):
+                return -k
             if z[i] < lb[i] and (lb[i] - x[i]) > share * p:
                 share, block = (lb[i] - x[i]) / p, i
             elif z[i] > ub[i] and (ub[i] - x[i]) < share * p:
                 share, block = (ub[i] - x[i]) / p, i
         for a in range(m):
             i = free[a]
-            x[i] = min(max(x[i] + share * (z[i] - x[i]), lb[i]), ub[i])
+            # a full step lands on z to the last bit: the answer depends on the final set alone
+            x[i] = min(max(x[i] + share * (z[i] - x[i]), lb[i]), ub[i]) if block >= 0 else z[i]
         if block >= 0:
             state[block] = LOWER if z[block] < lb[block] else UPPER
             x[block] = lb[block] if z[block] < lb[block] else ub[block]
@@ -237,13 +240,15 @@ def finish(H, g, lb, ub, x, state, n):
         elif (state[i] == LOWER and lb[i] == -math.inf) or (state[i] == UPPER and ub[i] == math.inf):
             state[i] = FREE
     rounds = _newton(H, g, lb, ub, x, state, n, L, free, z)
-    if rounds > 0:
+    if rounds > 0 and is_optimal(H, g, lb, ub, x, n):
         return SOLVED, rounds
+    rounds = abs(rounds)
     more = _primal(H, g, lb, ub, x, state, n, L, free, z)
-    if more > 0:
-        return SOLVED, more - rounds
+    rounds += abs(more)
+    if more > 0 and is_optimal(H, g, lb, ub, x, n):
+        return SOLVED, rounds
     _descend(H, g, lb, ub, x, n)
-    return (SOLVED if is_optimal(H, g, lb, ub, x, n) else BUDGET_SPENT), -more - rounds
+    return (SOLVED if is_optimal(H, g, lb, ub, x, n) else BUDGET_SPENT), rounds
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
