@@ -1,6 +1,7 @@
 """One run being recorded: its MCAP file from the first message to the metrics at its end."""
 
 import contextlib
+import json
 import time
 from pathlib import Path
 
@@ -11,6 +12,7 @@ from server.run_metrics import metrics_of_file
 from server.run_summary import METRICS_ATTACHMENT
 from server.sample import Sample, stamp_of
 from twin.contract import bumpless_pb2 as pb
+from twin.metrics import as_dict
 
 
 def free_id(folder: Path, run_id: str) -> str:
@@ -68,7 +70,7 @@ class RunFile:
             self.flush()
             metrics = metrics_of_file(self.path, self.run_id)
             if metrics is not None:
-                text = json_format.MessageToJson(metrics, preserving_proto_field_name=True)
+                text = json.dumps(as_dict(metrics), indent=1)
                 self._writer.attach(METRICS_ATTACHMENT, "application/json", text.encode())
             self._writer.metadata(
                 "end",

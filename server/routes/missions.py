@@ -41,11 +41,12 @@ async def limited_text(request: Request, limit: int) -> str:
 def carry_out(console: Served, verb: str, request: Message) -> dict[str, Any]:
     """Ask the vehicle; its refusal is a 409 with its reason."""
     reply = console.command(verb, request)
-    answer = told(reply) | {"revision": reply.revision}
+    answer = {"accepted": reply.accepted, "reason": reply.reason, "run_id": reply.run_id}
+    answer["revision"] = reply.revision
+    problems = [told(problem) for problem in reply.problems]
     if not reply.accepted:
-        problems = answer.pop("problems")
         raise Refusal(409, reply.reason or f"the vehicle refuses '{verb}'", problems, **answer)
-    return answer
+    return {**answer, "problems": problems}
 
 
 @router.get("/missions")
