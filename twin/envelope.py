@@ -117,8 +117,8 @@ def _levels(model: np.record, count: int) -> Array:
 def _grid(model: np.record, surge_speed: float, chosen: NDArray[np.int64], count: int) -> Envelope:
     """Hulls of every combination of `count` levels of the chosen actuators.
 
-    Corners are kept after each actuator: the hull of a sum is the hull of the sum of corners, so the result is
-    that of all count^len(chosen) combinations.
+    Corners are kept after each actuator: the hull of a sum is the hull of the sum of corners, so the
+    result is that of all count^len(chosen) combinations.
     """
     curves = wrench_curves(model, surge_speed, _levels(model, count), chosen)
     hulls = []

@@ -38,7 +38,7 @@ class Hull:
 
     @cached_property
     def area(self) -> float:
-        """Surface area, N^2 or (N m)^2; of a flat set the area of its polygon, counted once; of a segment 0."""
+        """Surface, N^2 or (N m)^2; of a flat set the area of its polygon, counted once; of a segment 0."""
         return self._size[1]
 
     @cached_property

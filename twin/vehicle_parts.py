@@ -113,6 +113,7 @@ class Fin:
     radial_direction_deg: float = number()  # of the stock, from +y towards +z
     planform_area_m2: float = number(above=0)
     span_m: float = number(above=0)
+    chord_m: float = number(above=0)  # mean
     deflection_max_deg: float = number(above=0, high=60)
     deflection_rate_degps: float = number(above=0)
     time_constant_s: float = number(above=0)
@@ -136,11 +137,6 @@ class Fin:
         """Unit lift direction e_L in body axes."""
         a = math.radians(self.radial_direction_deg + 90.0)
         return (0.0, math.cos(a), math.sin(a))
-
-    @property
-    def chord_m(self) -> float:
-        """Mean chord."""
-        return self.planform_area_m2 / self.span_m
 
     @property
     def command_min(self) -> float:
