@@ -1,0 +1,74 @@
+"""The node's Zenoh session: explicit endpoints, no multicast, quick to notice a loss, never in the way."""
+
+import json
+import re
+import threading
+from collections.abc import Callable, Sequence
+
+import zenoh
+
+LEASE_MS = 1000  # a frozen node is missed within about this time
+RETRY_MS = 1000  # longest pause between attempts to reach an endpoint
+STALLED_PEER_US = 200_000  # how long a blocking put waits for a peer that doesn't read
+WAIT_FOR_ROUTER_S = 1.0
+LOOPBACK_PORT = "tcp/127.0.0.1:0"
+_LOOPBACK = re.compile(r"\w+/(127\.[\d.]+|localhost|\[::1\]):\d+")
+
+
+def choose_mode(connect: Sequence[str], listen: Sequence[str]) -> str:
+    """ "peer" on one machine or when it listens; "client" when all it has is a way to another machine.
+
+    A router passes nothing between two peers, since it takes it that peers reach each other directly.
+    That holds on one machine; across machines a client's traffic is the one that is always passed on.
+    """
+    if listen or all(_LOOPBACK.match(endpoint) for endpoint in connect):
+        return "peer"
+    return "client"
+
+
+def session_config(
+    connect: Sequence[str], listen: Sequence[str] = (), mode: str | None = None
+) -> zenoh.Config:
+    """Configuration of the node's session.
+
+    A peer listens on a free loopback port unless told otherwise: by it, nodes that connect to the same
+    server find each other, and a second one for a live vehicle id notices.
+    """
+    mode = mode or choose_mode(connect, listen)
+    retry = {"period_init_ms": 250, "period_max_ms": RETRY_MS, "period_increase_factor": 2}
+    config = zenoh.Config()
+    for key, value in {
+        "mode": mode,
+        "connect/endpoints": list(connect),
+        "connect/retry": retry,
+        "listen/endpoints": list(listen) or ([LOOPBACK_PORT] if mode == "peer" else []),
+        "scouting/multicast/enabled": False,
+        "transport/shared_memory/enabled": False,
+        "transport/link/tx/lease": LEASE_MS,
+        "transport/link/tx/queue/congestion_control/block/wait_before_close": STALLED_PEER_US,
+        "timestamping/enabled": True,  # the cache of events sorts by it
+    }.items():
+        config.insert_json5(key, json.dumps(value))
+    return config
+
+
+def open_session(
+    config: zenoh.Config, stopped: threading.Event, waiting: Callable[[str], None]
+) -> zenoh.Session | None:
+    """Open it; a client first waits for its router. None when `stopped` comes first.
+
+    Raises zenoh.ZError when a peer cannot be opened, such as for a taken port.
+    """
+    client = config.get_json("mode") == '"client"'
+    told = False
+    while not stopped.is_set():
+        try:
+            return zenoh.open(config)
+        except zenoh.ZError:
+            if not client:
+                raise
+        if not told:
+            waiting("waiting for a router at " + ", ".join(json.loads(config.get_json("connect/endpoints"))))
+            told = True
+        stopped.wait(WAIT_FOR_ROUTER_S)
+    return None
