@@ -1,18 +1,15 @@
 """Gives a log that was cut off (a killed process, a power cut) its index and end back."""
 
 import os
-import struct
 from dataclasses import dataclass
 from pathlib import Path
 from typing import BinaryIO
 
-import zstandard
-from mcap.exceptions import McapError
 from mcap.records import Attachment, Channel, Header, Message, Metadata, Schema
-from mcap.stream_reader import CRCValidationError, StreamReader
+from mcap.stream_reader import StreamReader
 from mcap.writer import CompressionType, Writer
 
-_CUT = (McapError, CRCValidationError, struct.error, zstandard.ZstdError, UnicodeDecodeError, EOFError)
+from server.log_read import CUT
 
 
 @dataclass(frozen=True)
@@ -91,7 +88,7 @@ def _copy(source: BinaryIO, target: BinaryIO) -> Repair:
     records = iter(StreamReader(source, validate_crcs=True, record_size_limit=size).records)
     try:
         header = next(records)
-    except (*_CUT, StopIteration) as error:
+    except (*CUT, StopIteration) as error:
         raise ValueError(f"not an MCAP file: {error}") from error
     if not isinstance(header, Header):
         raise ValueError("not an MCAP file: it does not begin with a header")
@@ -99,7 +96,7 @@ def _copy(source: BinaryIO, target: BinaryIO) -> Repair:
     try:
         for record in records:
             copy.add(record)
-    except _CUT:
+    except CUT:
         pass  # here the file was cut: what came before is whole
     copy.writer.finish()
     return Repair(copy.messages, copy.attachments, copy.first_ns, copy.last_ns)

@@ -1,20 +1,19 @@
-"""The metrics of a recorded run, from its MCAP file: what is shown is what the file says."""
+"""The metrics of a recorded run, from its MCAP file."""
 
-import logging
 from pathlib import Path
 
-from server.run_reader import read_run
+from server.run_data import read_run
 from twin.contract import bumpless_pb2 as pb
 from twin.metrics import metrics_of
 
-log = logging.getLogger(__name__)
-
 
 def metrics_of_file(path: Path, run_id: str) -> pb.Metrics | None:
-    """Figures of merit of the run, also of an unfinished file; None when nothing was flown in it."""
-    try:
-        found = read_run(path)
-        return None if found is None else metrics_of(*found, run_id)
-    except Exception:  # a run is worth keeping without its figures
-        log.exception("the metrics of %s could not be computed", path)
+    """Metrics of a log, also of one that is still being written (flush it first) or was cut.
+
+    None when the file holds no cycle of a mission or no usable vehicle description.
+    Raises McapError when it is not MCAP.
+    """
+    data = read_run(path)
+    if data.vehicle is None or len(data.run) == 0:
         return None
+    return metrics_of(data.run, data.vehicle, run_id)

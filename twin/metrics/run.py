@@ -1,5 +1,6 @@
 """The columns of a run that metrics are made of."""
 
+import math
 from dataclasses import dataclass, fields
 from typing import Any, Self
 
@@ -9,7 +10,8 @@ import numpy.typing as npt
 Floats = npt.NDArray[np.float64]
 Integers = npt.NDArray[np.int64]
 
-_FLYING = (0, 2, 3)  # MissionPhase: not said, running, paused
+EDGE_PER_SI = {"deg": 180.0 / math.pi, "rpm": 60.0}  # of one radian, of one revolution per second
+FLYING = (0, 2, 3)  # MissionPhase: not said, running, paused
 
 
 @dataclass(frozen=True)
@@ -40,7 +42,7 @@ class Run:
     @classmethod
     def from_log(cls, log: npt.NDArray[Any], n_u: int) -> Self:
         """From an array of records.LOG rows; rows outside the mission are left out."""
-        rows = log[np.isin(log["phase"], _FLYING)]
+        rows = log[np.isin(log["phase"], FLYING)]
         columns = {f.name: np.array(rows[f.name]) for f in fields(cls)}
         for name in ("u", "du_max"):
             columns[name] = columns[name][:, :n_u]

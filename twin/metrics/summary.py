@@ -1,6 +1,5 @@
 """Every figure of a run in one message."""
 
-import math
 from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
@@ -9,14 +8,13 @@ from google.protobuf import json_format
 from twin.contract import bumpless_pb2 as pb
 from twin.metrics.modes import ModeFigures, mode_figures
 from twin.metrics.proposition import demand_step_violations, increment_violations
-from twin.metrics.run import Floats, Run
+from twin.metrics.run import EDGE_PER_SI, Floats, Run
 from twin.metrics.switches import SwitchSteps, largest, switch_steps
 from twin.records import FORWARD, HOVER, REVERSE
 
 if TYPE_CHECKING:
     from twin.vehicle import Vehicle
 
-EDGE_PER_SI = {"deg": 180.0 / math.pi, "rpm": 60.0}  # of one radian, of one revolution per second
 AT_BOUND = 1e-6  # closer than this share of the span counts as at the bound
 
 
