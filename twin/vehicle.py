@@ -173,7 +173,7 @@ def _actuators(table: dict[str, Any], found: Collector) -> list[Actuator]:
         if any(a.name == actuator.name for a in actuators):
             found.add(f"{path}.name", actuator.name, "must be different from the other actuators' names")
         if isinstance(actuator, Thruster) and not any(actuator.direction):
-            found.add(f"{path}.direction", list(actuator.direction), "must not be zero")
+            found.add(f"{path}.direction", list(actuator.direction), "must not be 0")
         actuators.append(actuator)
     return actuators
 

@@ -80,7 +80,7 @@ def thesis_coefficient(vehicle: Vehicle, name: str) -> float:
 
 def _bilinear_force(c: Coefficients, fins: list[Fin], rho: float, nu: Array) -> Array:
     """-C_A(nu) nu, body lift and fin lift without deflection, in forward flow: all terms nu_a nu_b."""
-    u, v, w, p, q, r = nu
+    u, v, w, _, q, r = nu
     a, b = np.split(c.M_A @ nu, 2)
     coriolis = np.concatenate([np.cross(nu[3:], a), np.cross(nu[:3], a) + np.cross(nu[3:], b)])
     lift = -u * (c.D_lift @ nu)

@@ -8,9 +8,9 @@ _FIRST_MOMENT = (
     "of O_b make the difference"
 )
 _PLANFORM = (
-    "moment of the side view about O_b, a small difference of fore and aft: the thesis' profile has its centre "
-    "16 mm behind O_b, its printed hull term asks for 6 mm ahead, and it signs the fins' term the other way; "
-    "ours follows from drag that opposes the local flow at every station"
+    "moment of the side view about O_b, a small difference of fore and aft: the thesis' profile has its "
+    "centre 16 mm behind O_b and its fins 0.64 m behind, so drag in heave pitches the nose down (M_ww < 0); "
+    "the printed sign asks for a centre ahead of O_b"
 )
 _ROTATION = (
     "not geometry: even with all its side area at the far end the hull gives no more than 49 N m s^2; "
