@@ -96,7 +96,6 @@ def _run(options: Options, stop: Stop) -> int:
 
     vehicle = load_vehicle(str(options.vehicle_file or options.vehicle_id))
     first = None if options.mission is None else start_request(Path(options.mission))
-    raise_process()
     try:
         config = session_config(options.connect, options.listen, options.mode)
         session = open_session(config, stop.event, say)
@@ -113,6 +112,7 @@ def _run(options: Options, stop: Stop) -> int:
             say(str(error))
             return TAKEN
         twin = ready_twin(vehicle, options.make_twin, say)
+        raise_process()
         node = Node(session, options.vehicle_id, vehicle, twin, stop, options.realtime)
         fault = None if stop.event.is_set() else node.run(claim, first, say)
         claim.release()
