@@ -16,8 +16,8 @@ import numpy as np
 FOV_RAD = radians(42.0)
 FOLLOW = "follow"
 REMEMBERED = 64  # sessions whose last view is kept for a reload
-FROM_STARBOARD = np.array([-1.3, 5.0, -1.75])
-FOLLOW_AIM = np.array([0.0, 0.0, -0.95])
+FROM_STARBOARD = np.array([-2.5, 4.1, -2.1])
+FOLLOW_AIM = np.array([0.0, 0.0, -0.78])
 
 
 @dataclass

@@ -11,8 +11,8 @@ IDLE: Rgb = (148, 163, 184)
 STALE: Rgb = (120, 124, 130)
 
 HULL: Rgb = (226, 232, 240)
-FRAME: Rgb = (71, 85, 105)
-FIN: Rgb = (51, 65, 85)
+FRAME: Rgb = (120, 134, 156)
+FIN: Rgb = (148, 160, 178)
 PROPELLER: Rgb = (180, 140, 80)
 
 DEMANDED: Rgb = (217, 70, 239)  # tau_d

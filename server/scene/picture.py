@@ -24,8 +24,8 @@ from twin.contract import bumpless_pb2 as pb
 
 log = logging.getLogger(__name__)
 
-FORCE_INSET = np.array([1.15, 0.0, -1.75])  # levelled body axes, m
-MOMENT_INSET = np.array([-1.15, 0.0, -1.75])
+FORCE_INSET = np.array([1.1, 0.0, -1.45])  # levelled body axes, m
+MOMENT_INSET = np.array([-1.1, 0.0, -1.45])
 M = TypeVar("M", bound=Message)
 
 

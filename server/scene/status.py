@@ -34,5 +34,5 @@ def body_text(
         words.append(MODE_NAME.get(supervisor.mode, "no mode"))
         if supervisor.kappa < 1.0:
             words[-1] += f"  κ {supervisor.kappa:.2f}"
-    words.append(f"{navigation.speed_over_ground_mps:.2f} m/s")
+    words.append(f"{navigation.speed_over_ground_mps:.2f} m/s · depth {navigation.depth_m:.2f} m")
     return " · ".join(words)

@@ -1,4 +1,5 @@
-"""The water around: NED frame, a reference plane under everything, the surface, and the vehicle's plumb line.
+"""The water around: NED frame, a reference plane under everything, and the vehicle's plumb line
+from the surface down.
 
 Nobody tells the console where the seabed is, so none is drawn: the plane is a measuring plane at a round
 depth below vehicle, path and target, and its label says so.
@@ -14,7 +15,6 @@ from server.scene import mesh, palette
 WORLD = "/view/world"
 AXIS_M = 3.0
 CLEARANCE_M = 1.5
-SURFACE_HALF_M = 30.0
 
 
 def plane_depth(*depths_m: float) -> float:
@@ -56,16 +56,21 @@ class WaterView:
         self._axis(scene, "N", (1.0, 0.0, 0.0), palette.AXIS_NORTH)
         self._axis(scene, "E", (0.0, 1.0, 0.0), palette.AXIS_EAST)
         self._axis(scene, "D", (0.0, 0.0, 1.0), palette.AXIS_DOWN)
-        self._surface(scene)
-        # unit segment downwards, scaled to the vehicle's depth and to its height over the plane
+        # a segment one metre down, stretched from the surface through the vehicle to the plane
         unit = np.array([[[0.0, 0.0, 0.0], [0.0, 0.0, 1.0]]])
-        self.plumb = scene.add_line_segments(
-            "/view/plumb", unit, palette.GRID_SECTION, thickness=1.0, thickness_units="screen"
+        thin: dict[str, Any] = {"thickness": 1.0, "thickness_units": "screen"}
+        self.plumb = scene.add_line_segments("/view/plumb", unit, palette.GRID_SECTION, **thin)
+        self.foot = scene.add_line_segments("/view/foot", mesh.circle(0.3, 32), palette.GRID_SECTION, **thin)
+        self.surface = scene.add_line_segments(
+            "/view/surface", mesh.circle(0.3, 32), palette.AXIS_DOWN, thickness=2.0, thickness_units="screen"
         )
-        self.foot = scene.add_line_segments(
-            "/view/foot", mesh.circle(0.35, 32), palette.GRID_SECTION, thickness=1.5, thickness_units="screen"
+        scene.add_label(
+            "/view/surface/label",
+            "water surface",
+            position=(0.0, 0.0, -0.08),
+            font_screen_scale=0.8,
+            anchor="bottom-center",
         )
-        self.height_label = scene.add_label("/view/foot_label", "", font_screen_scale=0.8, anchor="top-left")
         self.sink(self.depth_m)
 
     def _axis(self, scene: Any, name: str, along: tuple[float, float, float], colour: palette.Rgb) -> None:
@@ -80,17 +85,6 @@ class WaterView:
         )
         scene.add_label(f"{WORLD}/ned/{name}_label", name, position=end * 1.06, font_screen_scale=0.9)
 
-    def _surface(self, scene: Any) -> None:
-        half, lines = SURFACE_HALF_M, []
-        for k in np.arange(-half, half + 1.0, 10.0):
-            lines += [[[k, -half, 0.0], [k, half, 0.0]], [[-half, k, 0.0], [half, k, 0.0]]]
-        self.surface = scene.add_line_segments(
-            f"{WORLD}/surface", np.array(lines), palette.AXIS_DOWN, thickness=0.6, thickness_units="screen"
-        )
-        scene.add_label(
-            f"{WORLD}/surface/label", "surface · 10 m", font_screen_scale=0.8, position=(half, -half, 0.0)
-        )
-
     def sink(self, depth_m: float) -> None:
         """Move the reference plane to a depth, m."""
         self.depth_m = depth_m
@@ -104,8 +98,6 @@ class WaterView:
         """Bring the vehicle to the view's origin and hang its plumb line."""
         north, east, down = (float(v) for v in position_ned_m)
         self.frame.position = (-north, -east, -down)
-        drop = self.depth_m - down
-        self.plumb.scale = (1.0, 1.0, max(drop, 0.01))
-        self.foot.position = (0.0, 0.0, drop)
-        self.height_label.position = (0.4, 0.0, drop)
-        self.height_label.text = f"depth {down:.2f} m"
+        self.plumb.position = self.surface.position = (0.0, 0.0, -down)
+        self.plumb.scale = (1.0, 1.0, self.depth_m)
+        self.foot.position = (0.0, 0.0, self.depth_m - down)

@@ -9,6 +9,12 @@
   // viser retries a lost socket only while the page has focus, which an iframe rarely has.
   Document.prototype.hasFocus = () => true;
 
+  // viser also loads a sorter for Gaussian splats, which our policy stops because it evaluates strings.
+  // Nothing here is a splat.
+  addEventListener("unhandledrejection", (event) => {
+    if (event.reason instanceof EvalError) event.preventDefault();
+  });
+
   // viser reads its own settings from the address.
   const params = new URLSearchParams();
   params.set("theme", theme);
