@@ -29,7 +29,7 @@ def attainable_sets(
     model: np.record,
     surge_speed_mps: float,
     n_directions: int = 500,
-    actuators: Sequence[int] | None = None,
+    actuators: Sequence[int] | NDArray[np.int64] | None = None,
 ) -> Envelope:
     """AFS and AMS of the given actuators (indices; all by default) in steady flow along x_b.
 
@@ -60,7 +60,7 @@ def sampled_sets(
 
 
 def select(
-    model: np.record, actuators: Sequence[int] | None = None, kind: int | None = None
+    model: np.record, actuators: Sequence[int] | NDArray[np.int64] | None = None, kind: int | None = None
 ) -> NDArray[np.int64]:
     """Indices of actuators: the given ones or all, of the given kind (records.FIN, THRUSTER) or any."""
     chosen = np.arange(int(model["n_u"])) if actuators is None else np.asarray(actuators, np.int64)

@@ -84,7 +84,7 @@ def hull_of_points(points: Array) -> Hull:
     hull = ConvexHull(points)
     renumber = np.zeros(len(points), np.int64)
     renumber[hull.vertices] = np.arange(len(hull.vertices))
-    return Hull(points[hull.vertices], _outward(points, hull.simplices, renumber))
+    return Hull(points[hull.vertices], _outward(points, hull.simplices.astype(np.int64), renumber))
 
 
 def _outward(points: Array, triangles: Faces, renumber: Faces) -> Faces:

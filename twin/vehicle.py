@@ -106,10 +106,7 @@ def parse_vehicle(content: str, source: str) -> Vehicle:
     environment = read(Environment, table.get("environment"), "environment", found)
     mass = read(Mass, table.get("mass"), "mass", found)
     hull = _by_kind(HULLS, table.get("hull"), "hull", found)
-    appendages = [
-        read(Appendage, entry, f"appendages[{i}]", found)
-        for i, entry in enumerate(table.get("appendages", []))
-    ]
+    appendages = _appendages(table.get("appendages", []), found)
     actuators = _actuators(table, found)
     sensors = _sensors(table.get("sensors"), found)
     control = table.get("control", {})
@@ -126,7 +123,7 @@ def parse_vehicle(content: str, source: str) -> Vehicle:
         environment=environment,
         mass=mass,
         hull=hull,
-        appendages=tuple(a for a in appendages if a),
+        appendages=tuple(appendages),
         actuators=tuple(actuators),
         sensors=sensors,
         control=control,
@@ -147,10 +144,18 @@ def _table(content: str, source: str) -> dict[str, Any]:
 
 def _by_kind(kinds: dict[str, type], table: Any, path: str, found: Collector) -> Any:
     kind = table.get("kind") if isinstance(table, dict) else None
-    if isinstance(table, dict) and kind not in kinds:
+    if isinstance(table, dict) and (not isinstance(kind, str) or kind not in kinds):
         found.add(f"{path}.kind", kind, "must be one of " + ", ".join(kinds))
         return None
     return read(kinds.get(kind or "", next(iter(kinds.values()))), table, path, found)
+
+
+def _appendages(entries: Any, found: Collector) -> list[Appendage]:
+    if not isinstance(entries, list):
+        found.add("appendages", entries, "must be tables")
+        return []
+    parts = [read(Appendage, entry, f"appendages[{i}]", found) for i, entry in enumerate(entries)]
+    return [part for part in parts if part]
 
 
 def _actuators(table: dict[str, Any], found: Collector) -> list[Actuator]:
@@ -158,12 +163,15 @@ def _actuators(table: dict[str, Any], found: Collector) -> list[Actuator]:
     if not isinstance(entries, list) or not 1 <= len(entries) <= MAX_ACTUATORS:
         found.add("actuators", None, f"must be 1 to {MAX_ACTUATORS} tables")
         return []
+    if not isinstance(types, dict) or not all(isinstance(common, dict) for common in types.values()):
+        found.add("actuator_types", None, "must hold tables")
+        return []
     actuators: list[Actuator] = []
     for i, entry in enumerate(entries):
         path = f"actuators[{i}]"
         common = entry.get("type") if isinstance(entry, dict) else None
         if common is not None:  # fields that several actuators share stand once, in [actuator_types.<type>]
-            if common not in types:
+            if not isinstance(common, str) or common not in types:
                 found.add(f"{path}.type", common, "must name a table of actuator_types")
                 continue
             entry = types[common] | {k: v for k, v in entry.items() if k != "type"}

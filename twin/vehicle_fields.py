@@ -75,7 +75,7 @@ def text(default: Any = MISSING) -> Any:
 def choice(*options: str, default: Any = MISSING) -> Any:
     """One of the given words."""
     rule = "must be one of " + ", ".join(options)
-    return _field(lambda v: (v, None) if v in options else (None, rule), default)
+    return _field(lambda v: (v, None) if isinstance(v, str) and v in options else (None, rule), default)
 
 
 def some_of(*options: str) -> Any:

@@ -1,10 +1,29 @@
 """A bad vehicle file is refused with file, line, field, value and rule; never half-loaded."""
 
+import re
+
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from twin.problems import Problem
 from twin.vehicle import FOLDER, VehicleError, load_vehicle, parse_vehicle
 
+JUNK = [
+    "[]",
+    "{}",
+    '""',
+    '"x"',
+    "nan",
+    "-inf",
+    "true",
+    "-5",
+    "0",
+    "[[1]]",
+    "[1, 2]",
+    "1979-05-27",
+    "{ kind = 3 }",
+]
 GOOD = (FOLDER / "ts100.toml").read_text(encoding="utf-8")
 
 
@@ -90,3 +109,27 @@ def test_problem_reads_like_a_sentence() -> None:
         "ts100.toml: thrusters[1].thrust_max_n = -0.5; must be > 0"
     )
     assert str(Problem("a.yaml", 3, 5, "legs[0]", None, "is missing")) == "a.yaml:3:5: legs[0]; is missing"
+
+
+@given(place=st.integers(0, 10_000), junk=st.sampled_from(JUNK), cut=st.booleans())
+def test_no_damage_raises_anything_but_a_refusal(place: int, junk: str, cut: bool) -> None:
+    """Any one line damaged or lost: the file still loads or is refused with problems, never a traceback."""
+    lines = GOOD.splitlines()
+    at = place % len(lines)
+    lines[at] = "" if cut else re.sub(r"=.*", f"= {junk}", lines[at])
+    try:
+        parse_vehicle("\n".join(lines), "damaged.toml")
+    except VehicleError as error:
+        assert error.problems
+        assert all(str(problem).startswith("damaged.toml") for problem in error.problems)
+
+
+@pytest.mark.parametrize("junk", JUNK)
+@pytest.mark.parametrize(
+    "table",
+    ["environment", "mass", "hull", "appendages", "actuator_types", "actuators", "sensors", "control"],
+)
+def test_a_table_may_be_anything_and_is_still_refused_politely(table: str, junk: str) -> None:
+    """A file whose tables are not tables."""
+    with pytest.raises(VehicleError):
+        parse_vehicle(f"{table} = {junk}", "wrong.toml")
