@@ -1,9 +1,9 @@
 """How far a point is from the optimum of a box QP, in one number per cycle."""
 
-from numba import njit
+from twin.compiled import jit
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@jit
 def kkt_residual(H, g, lb, ub, x, n):
     """Largest |x_i - clip(x_i - grad_i / H_ii, lb_i, ub_i)|: zero at the optimum and only there.
 

@@ -24,7 +24,6 @@ import math
 from pathlib import Path
 
 import numpy as np
-from numba import carray, njit
 
 from twin.allocation.qp_handle import FUNCTIONS, MEMORY, OSQP_NATIVE, WORKSPACE, new_handle
 from twin.allocation.qp_memory import (
@@ -34,12 +33,14 @@ from twin.allocation.qp_memory import (
     call_3,
     call_4,
     call_7,
+    carray,
     floats_at,
     ints_at,
     stack_floats,
 )
 from twin.allocation.qp_scaling import UPPER_TRIANGLE, scale
 from twin.allocation.qp_state import adopt
+from twin.compiled import jit
 from twin.records import MAX_ACTUATORS
 
 KNOWN_VERSIONS = (b"1.0.0",)
@@ -211,7 +212,7 @@ def make_native_handle() -> np.ndarray | None:
     return handle
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@jit
 def iterate(handle, H, g, lb, ub, x, n, state):
     """Up to MAX_ITERATIONS of ADMM from x. Writes state and x as `qp_state.adopt` does. Returns the
     iterations, negative on failure (x and state are then untouched)."""

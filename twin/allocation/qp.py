@@ -10,9 +10,9 @@ time. A copied handle is recognised and answered by the built-in active set.
 """
 
 import functools
+from collections.abc import Callable
 
 import numpy as np
-from numba import carray, njit
 
 from twin.allocation import osqp_native, qp_daqp, qp_python
 from twin.allocation.qp_active_set import LOWER, UPPER, admit, finish, solve_active_set
@@ -28,8 +28,9 @@ from twin.allocation.qp_handle import (
     SOLVER,
     new_handle,
 )
-from twin.allocation.qp_memory import stack_ints
+from twin.allocation.qp_memory import carray, stack_ints
 from twin.allocation.qp_status import FALLBACK, SOLVED
+from twin.compiled import jit
 from twin.records import MAX_ACTUATORS
 
 SOLVERS = ("osqp", "active_set", "daqp")
@@ -43,7 +44,8 @@ def make_handle(solver: str = "osqp") -> np.ndarray:
     allocated is freed when the last reference to the array goes.
     """
     if solver == "osqp":
-        return _osqp_maker()()
+        handle = _osqp_maker()()
+        return new_handle(ACTIVE_SET) if handle is None else handle
     if solver == "active_set":
         return new_handle(ACTIVE_SET)
     if solver == "daqp":
@@ -57,7 +59,7 @@ def route() -> str:
 
 
 @functools.cache
-def _osqp_maker():
+def _osqp_maker() -> Callable[[], np.ndarray | None]:
     """The first way to OSQP that gives right answers on problems with known optimum."""
     for make in (osqp_native.make_native_handle, qp_python.make_osqp_handle):
         try:
@@ -88,7 +90,7 @@ def _answers_rightly(handle: np.ndarray) -> bool:
     return right >= 0.8 * 24 * MAX_ACTUATORS
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@jit
 def start(handle, H, g, lb, ub, x, n, state):
     """Let the handle's solver move x near the optimum and guess the bounds that hold there.
 
@@ -105,7 +107,7 @@ def start(handle, H, g, lb, ub, x, n, state):
     return -1
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@jit
 def solve_box_qp(handle, H, g, lb, ub, x, n):
     """Minimise 1/2 x'Hx + g'x over lb <= x <= ub; return a status of `qp_status`.
 

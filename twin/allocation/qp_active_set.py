@@ -16,10 +16,9 @@ Nocedal and Wright, Numerical Optimization, 2nd ed., algorithm 16.3 (phase 2).
 
 import math
 
-from numba import carray, njit
-
-from twin.allocation.qp_memory import stack_floats, stack_ints
+from twin.allocation.qp_memory import carray, stack_floats, stack_ints
 from twin.allocation.qp_status import BUDGET_SPENT, INFEASIBLE, REFUSED, SOLVED
+from twin.compiled import jit
 from twin.records import MAX_ACTUATORS
 
 LOWER, FREE, UPPER, FIXED = -1, 0, 1, 2
@@ -34,7 +33,7 @@ _N = MAX_ACTUATORS
 _NN = _N * _N
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@jit
 def minimise_free(H, g, x, state, n, L, free, z):
     """Write into z the minimiser over the FREE variables, the others held at x; return their number.
 
@@ -79,7 +78,7 @@ def minimise_free(H, g, x, state, n, L, free, z):
     return m
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@jit
 def slope(H, g, x, i, n):
     """(gradient of the cost along x_i, what of it rounding may have made)."""
     s = g[i]
@@ -91,7 +90,7 @@ def slope(H, g, x, i, n):
     return s, DUAL_TOLERANCE * size
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@jit
 def is_optimal(H, g, lb, ub, x, n):
     """True where no admissible change of one variable lowers the cost beyond OPTIMALITY."""
     for i in range(n):
@@ -103,7 +102,7 @@ def is_optimal(H, g, lb, ub, x, n):
     return True
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@jit
 def _newton(H, g, lb, ub, x, state, n, L, free, z):
     """Phase 1. Returns the rounds used, negative when it did not settle (x is then untouched)."""
     for k in range(1, NEWTON_ROUNDS + 1):
@@ -138,7 +137,7 @@ def _newton(H, g, lb, ub, x, state, n, L, free, z):
     return -NEWTON_ROUNDS
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@jit
 def _primal(H, g, lb, ub, x, state, n, L, free, z):
     """Phase 2, from a feasible x. Returns the rounds used, negative at the cap."""
     for i in range(n):
@@ -177,7 +176,7 @@ def _primal(H, g, lb, ub, x, state, n, L, free, z):
     return -PRIMAL_ROUNDS
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@jit
 def _descend(H, g, lb, ub, x, n):
     """Projected coordinate descent: slow, but it never raises the cost."""
     for _ in range(DESCENT_SWEEPS):
@@ -193,7 +192,7 @@ def _descend(H, g, lb, ub, x, n):
             break
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@jit
 def admit(H, g, lb, ub, x, n):
     """Check the data and move x inside its bounds. SOLVED means: fit to be solved.
 
@@ -225,7 +224,7 @@ def admit(H, g, lb, ub, x, n):
     return status
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@jit
 def finish(H, g, lb, ub, x, state, n):
     """Solve exactly from a feasible x and a guess of which bounds hold.
 
@@ -251,7 +250,7 @@ def finish(H, g, lb, ub, x, state, n):
     return (SOLVED if is_optimal(H, g, lb, ub, x, n) else BUDGET_SPENT), rounds
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@jit
 def solve_active_set(H, g, lb, ub, x, n):
     """Minimise 1/2 x'Hx + g'x over lb <= x <= ub; x is the start and the answer.
 

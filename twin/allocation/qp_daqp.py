@@ -10,13 +10,13 @@ import importlib.metadata
 import importlib.util
 
 import numpy as np
-from numba import carray, njit
 
 from twin.allocation.qp_handle import DAQP, FUNCTIONS, MEMORY, WORKSPACE, new_handle
-from twin.allocation.qp_memory import call_3, floats_at
+from twin.allocation.qp_memory import call_3, carray, floats_at
 from twin.allocation.qp_python import make_python_handle
 from twin.allocation.qp_scaling import scale
 from twin.allocation.qp_state import adopt
+from twin.compiled import jit
 from twin.records import MAX_ACTUATORS
 
 KNOWN_VERSIONS = ("0.11.0",)
@@ -107,7 +107,7 @@ def make_daqp_handle() -> np.ndarray:
     return native if native is not None else _public()
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@jit
 def quadprog(handle, H, g, lb, ub, x, n, state):
     """Solve by daqp_quadprog. Writes state and x as `qp_state.adopt` does. Returns its iterations,
     negative on failure (x and state are then untouched)."""

@@ -6,10 +6,14 @@ addresses kept in int64 arrays into arrays and calls, so that compiled code whic
 stays cacheable (an address baked into machine code would not survive the process).
 """
 
+from typing import Any
+
 from llvmlite import ir
-from numba import types
+from numba import extending, types
 from numba.core import cgutils
-from numba.extending import intrinsic
+from numba.np.numpy_support import carray as carray
+
+intrinsic: Any = extending.intrinsic  # called without the typing context that its functions declare
 
 FLOAT_P = types.CPointer(types.float64)
 INT_P = types.CPointer(types.int64)

@@ -13,15 +13,16 @@ import threading
 from collections.abc import Callable
 
 import numpy as np
-from numba import carray, njit
 
 from twin.allocation.qp_handle import FUNCTIONS, MEMORY, OSQP_PUBLIC, new_handle
-from twin.allocation.qp_memory import call_1, floats_at
+from twin.allocation.qp_memory import call_1, carray, floats_at
 from twin.allocation.qp_scaling import UPPER_TRIANGLE, scale
 from twin.allocation.qp_state import adopt
+from twin.compiled import jit
 from twin.records import MAX_ACTUATORS
 
 MAX_ITERATIONS = 50
+_INTERRUPTED = 10  # OSQP_SIGINT of osqp_api_constants.h
 
 _N = MAX_ACTUATORS
 _P, _Q, _L, _U, _X, _Y, _D = (0, *range(UPPER_TRIANGLE, UPPER_TRIANGLE + 6 * _N, _N))
@@ -87,7 +88,7 @@ def make_osqp_handle() -> np.ndarray:
             solver.update(Px=P, q=q, l=lower, u=upper)
             solver.warm_start(x=x)
             result = solver.solve(raise_error=False)
-        if result.info.status_val == osqp.SolverStatus.OSQP_SIGINT:
+        if result.info.status_val == _INTERRUPTED:
             signal.raise_signal(signal.SIGINT)  # OSQP swallowed a Ctrl-C that was not for it
         if result.x is None or not (np.isfinite(result.x).all() and np.isfinite(result.y).all()):
             return -1
@@ -97,7 +98,7 @@ def make_osqp_handle() -> np.ndarray:
     return make_python_handle(OSQP_PUBLIC, solve)
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@jit
 def ask(handle, H, g, lb, ub, x, n, state):
     """Let the handle's Python solver answer. Writes state and x as `qp_state.adopt` does. Returns its
     iterations, negative on failure (x and state are then untouched)."""

@@ -2,8 +2,7 @@
 
 import math
 
-from numba import njit
-
+from twin.compiled import jit
 from twin.records import MAX_ACTUATORS
 
 UPPER_TRIANGLE = MAX_ACTUATORS * (MAX_ACTUATORS + 1) // 2
@@ -12,7 +11,7 @@ INFINITY = 1e30  # OSQP's own
 _N = MAX_ACTUATORS
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@jit
 def scale(H, g, lb, ub, x, n, d, P, q, lower, upper, start):
     """Fill d, P, q, lower, upper, start with the problem in y = x / d, d_i = 1 / sqrt(H_ii).
 

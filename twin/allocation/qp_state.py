@@ -1,11 +1,10 @@
 """From another solver's iterate to the start of the exact active-set finish."""
 
-from numba import njit
-
 from twin.allocation.qp_active_set import FREE, LOWER, UPPER
+from twin.compiled import jit
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@jit
 def adopt(d, lower, upper, z, lb, ub, x, n, state):
     """Take over z, an iterate in the units y = x / d, as guess of active bounds and point inside them.
 
