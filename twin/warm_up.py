@@ -1,4 +1,4 @@
-"""Compiles what flies, once per machine, with a line of progress for each part: `python -m twin.warm_up`.
+"""Compiles what flies, once per machine, with visible progress: `python -m twin.warm_up [mission files]`.
 
 Compiled code is kept on disk (see `twin.compiled`), so a vehicle node that starts later loads it in a
 second or two instead of compiling while its operator waits.
@@ -8,18 +8,45 @@ import sys
 import time
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
+
+from numba.core import event
 
 from twin.mission import parse_mission
 from twin.simulation import Twin, simulate
 from twin.vehicle import load_vehicle
 
 
+class Progress(event.Listener):
+    """Counts the functions that Numba has compiled, on one line that a terminal keeps rewriting."""
+
+    def __init__(self, text: str) -> None:
+        self.text, self.compiled, self.begin = text, 0, time.perf_counter()
+        self.live = sys.stdout.isatty()
+        self.show()
+
+    def show(self, end: str = "") -> None:
+        """Write the line; on a terminal over the line before, elsewhere only when it is final."""
+        seconds = time.perf_counter() - self.begin
+        line = f"  {self.text}: {self.compiled} functions compiled, {seconds:.0f} s"
+        if self.live or end:
+            print("\r" * self.live + line, end=end, flush=True)
+
+    def on_start(self, event: Any) -> None:
+        """Numba begins a function: nothing to say."""
+
+    def on_end(self, event: Any) -> None:
+        """Numba finished a function."""
+        self.compiled += 1
+        self.show()
+
+
 def announced(text: str, work: Callable[[], object]) -> None:
-    """Say what is being done, do it, say how long it took."""
-    print(f"  {text} ...", end=" ", flush=True)
-    begin = time.perf_counter()
-    work()
-    print(f"{time.perf_counter() - begin:.1f} s", flush=True)
+    """Do the work and show how far the compiler is."""
+    progress = Progress(text)
+    with event.install_listener("numba:compile", progress):
+        work()
+    progress.show(end="\n")
 
 
 def warm_up(vehicle_name: str = "ts100", missions: tuple[Path, ...] = ()) -> None:
