@@ -1,0 +1,78 @@
+"""A vehicle that moves in a straight line: nothing to compile, so that tests of the node are about the node."""
+
+import sys
+from typing import Any
+
+import numpy as np
+
+from twin.contract import bumpless_pb2 as pb
+from twin.events import TwinEvent
+from twin.parameters import default_parameters
+from twin.records import LOG
+from twin.vehicle import Vehicle
+
+
+class LightTwin:
+    """Flies north at 1 m/s while a mission runs, and stops at its duration. Fills a LOG row per cycle."""
+
+    def __init__(self, vehicle: Vehicle) -> None:
+        self.vehicle = vehicle
+        self.parameters = default_parameters(vehicle)
+        self.phase: int = pb.MISSION_PHASE_IDLE
+        self.mission: Any = None
+        self.steps = 0
+        self._log = np.zeros(1, LOG)
+        self._events: list[TwinEvent] = []
+
+    def start(self, mission: Any, seed: int | None = None, parameters: Any = None) -> None:
+        self.mission, self.parameters = mission, parameters
+        self._log[:] = np.zeros(1, LOG)
+        self._to(pb.MISSION_PHASE_RUNNING, "mission_started", f"seed {seed}")
+
+    def pause(self) -> None:
+        self._to(pb.MISSION_PHASE_PAUSED, "mission_paused", "paused")
+
+    def resume(self) -> None:
+        self._to(pb.MISSION_PHASE_RUNNING, "mission_resumed", "resumed")
+
+    def abort(self, reason: str) -> None:
+        self._to(pb.MISSION_PHASE_ABORTED, "mission_aborted", f"Mission aborted: {reason}.")
+
+    def set_parameters(self, parameters: Any) -> None:
+        self.parameters = parameters
+        self._events.append(TwinEvent(1, "parameters_applied", "applied", {}))
+
+    def step(self) -> Any:
+        row = self._log[0]
+        self.steps += 1
+        if self.phase in (pb.MISSION_PHASE_RUNNING, pb.MISSION_PHASE_PAUSED):
+            row["cycle"] += 1
+            row["time"] += self.vehicle.control_period_s
+        if self.phase == pb.MISSION_PHASE_RUNNING:
+            row["eta_hat"][0] += self.vehicle.control_period_s
+            row["u"][:3] = 0.1, -0.2, 0.3
+        if self.phase == pb.MISSION_PHASE_RUNNING and row["time"] >= self.mission.duration_s - 1e-9:
+            self._to(pb.MISSION_PHASE_COMPLETED, "mission_completed", "Mission completed.")
+        row["phase"] = self.phase
+        row["status"] = pb.SOLVE_STATUS_SOLVED
+        row["nu_hat"][0] = 1.0 if self.phase == pb.MISSION_PHASE_RUNNING else 0.0
+        return row
+
+    def drain_events(self) -> list[TwinEvent]:
+        drained, self._events = self._events, []
+        return drained
+
+    def _to(self, phase: int, code: str, text: str) -> None:
+        self.phase = phase
+        self._events.append(TwinEvent(1, code, text, {}, float(self._log[0]["time"])))
+
+
+def run(endpoint: str, realtime: str = "realtime") -> int:
+    """A vehicle node of its own with this twin in it, connected to `endpoint`."""
+    from twin.node import main
+
+    return main("ts100", connect=[endpoint], realtime=realtime == "realtime", make_twin=LightTwin)
+
+
+if __name__ == "__main__":
+    sys.exit(run(*sys.argv[1:]))
