@@ -10,21 +10,22 @@ from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
+from server.scene.hull_mesh import HullMesh, hull_mesh
 
 log = logging.getLogger(__name__)
 
 SPEED_STEP_MPS = 0.01
 INTERVAL_S = 0.1
+DIRECTIONS = 240  # of the support function: each gives a corner
 
 
 @dataclass(frozen=True)
 class Sets:
-    """Vertices of both sets in body axes: force (n, 3) in N, moment (m, 3) in N m, at a surge speed."""
+    """Both sets in body axes at a surge speed: force in N, moment in N m."""
 
     speed_mps: float
-    force: np.ndarray
-    moment: np.ndarray
+    force: HullMesh
+    moment: HullMesh
 
 
 def sets_of(vehicle: Any) -> Callable[[float], Sets]:
@@ -35,8 +36,8 @@ def sets_of(vehicle: Any) -> Callable[[float], Sets]:
     model = build_model(vehicle)
 
     def at(speed_mps: float) -> Sets:
-        envelope = attainable_sets(model, speed_mps)
-        return Sets(speed_mps, np.asarray(envelope.force.vertices), np.asarray(envelope.moment.vertices))
+        envelope = attainable_sets(model, speed_mps, DIRECTIONS)
+        return Sets(speed_mps, hull_mesh(envelope.force.vertices), hull_mesh(envelope.moment.vertices))
 
     return at
 

@@ -15,6 +15,8 @@ import numpy as np
 
 FOV_RAD = radians(42.0)
 FOLLOW = "follow"
+CLOSE = (FOLLOW, "target")  # views near enough for insets and small labels
+DETAILS = ("/view/near", "/view/world/near")  # frames that hold those, hidden per browser
 REMEMBERED = 64  # sessions whose last view is kept for a reload
 FROM_STARBOARD = np.array([-2.5, 4.1, -2.1])
 FOLLOW_AIM = np.array([0.0, 0.0, -0.78])
@@ -38,8 +40,11 @@ def turned(vector: np.ndarray, heading: float) -> np.ndarray:
     return np.array([c * vector[0] - s * vector[1], s * vector[0] + c * vector[1], vector[2]])
 
 
-def placed(view: str, at: Places) -> tuple[np.ndarray, np.ndarray]:
-    """Camera position and the point it looks at, m: from the vehicle for "follow", in NED for the others."""
+def placed(view: str, at: Places, aspect: float = 1.7) -> tuple[np.ndarray, np.ndarray]:
+    """Camera position and the point it looks at, m: from the vehicle for "follow", in NED for the others.
+
+    `aspect` is the picture's width over its height.
+    """
     if view == FOLLOW:
         return turned(FROM_STARBOARD, at.heading), FOLLOW_AIM.copy()
     if view == "target" and at.target is not None:
@@ -47,10 +52,21 @@ def placed(view: str, at: Places) -> tuple[np.ndarray, np.ndarray]:
         reach = 1.5 + 0.6 * float(np.linalg.norm(at.target - aim))
         return aim + turned(np.array([-1.6, 3.6, -2.0]) * reach / 1.8, at.target_heading), aim
     centre, radius = _bounds(at)
-    distance = radius / tan(FOV_RAD / 2.0)
+    upright = radius / tan(FOV_RAD / 2.0)
     if view == "top":  # a hair south of straight down, so that north is up
-        return centre + [-0.002 * distance, 0.0, -1.1 * distance], centre
-    return centre + 1.05 * distance * np.array([-0.62, -0.38, -0.68]), centre
+        return centre + [-0.002 * upright, 0.0, -1.3 * upright], centre
+    # along the path from left to right, where the picture is widest
+    distance = 1.25 * upright / min(max(aspect, 0.5), 1.7)
+    return centre + distance * turned(np.array([-0.22, 0.75, -0.62]), _course(at)), centre
+
+
+def _course(at: Places) -> float:
+    """Direction from the path's start to its end, rad; the vehicle's heading without one."""
+    if len(at.path) > 1:
+        north, east = (at.path[-1] - at.path[0])[:2]
+        if abs(north) + abs(east) > 1.0:
+            return float(np.arctan2(east, north))
+    return at.heading
 
 
 def _bounds(at: Places) -> tuple[np.ndarray, float]:
@@ -65,6 +81,7 @@ class _Viewer:
     def __init__(self, client: Any, session: str, view: str) -> None:
         self.client, self.session, self.view = client, session, view
         self.frame = client.scene.add_frame("/view", show_axes=False)
+        self.details = [client.scene.add_frame(name, show_axes=False) for name in DETAILS]
 
 
 class Cameras:
@@ -123,8 +140,10 @@ class Cameras:
         viewer.frame.position = tuple(float(v) for v in offset)
 
     def _aim(self, viewer: _Viewer) -> None:
-        position, aim = placed(viewer.view, self.places)
+        position, aim = placed(viewer.view, self.places, viewer.client.camera.aspect)
         with viewer.client.atomic():
             self._shift(viewer)
+            for frame in viewer.details:
+                frame.visible = viewer.view in CLOSE
             viewer.client.camera.position = position
             viewer.client.camera.look_at = aim

@@ -28,7 +28,7 @@ class CurrentView:
 
     def __init__(self, scene: Any) -> None:
         self.arrow = scene.add_arrows(
-            "/view/current",
+            "/view/near/current",
             np.array([[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]]]),
             palette.CURRENT,
             shaft_radius=0.02,
@@ -37,7 +37,7 @@ class CurrentView:
             visible=False,
         )
         self.label = scene.add_label(
-            "/view/current_label", "", font_screen_scale=0.8, anchor="top-center", visible=False
+            "/view/near/current_label", "", font_screen_scale=0.8, anchor="top-center", visible=False
         )
 
     def show(self, navigation: pb.Navigation, live: bool) -> None:

@@ -11,10 +11,9 @@ from typing import Any
 import numpy as np
 
 from server.scene import palette
-from server.scene.hull_mesh import ball, support_mesh
+from server.scene.hull_mesh import FACES, VERTICES, HullMesh
 
 AXIS_M = 0.8  # drawn length of full scale
-SKIN_M = 0.008  # flat sets (a vehicle at rest) keep this much body
 OVERSHOOT = 1.3  # an arrow beyond full scale is cut here
 
 
@@ -38,17 +37,14 @@ def clipped(vector: np.ndarray, scale: float) -> np.ndarray:
 class SetView:
     """One inset: hull, axes, arrows."""
 
-    def __init__(
-        self, scene: Any, name: str, title: str, axes: str, unit: str, colour: palette.Rgb, light: bool
-    ) -> None:
-        self.root, self.axes, self.unit, self.title = f"/view/{name}", axes, unit, title
+    def __init__(self, scene: Any, name: str, title: str, axes: str, unit: str, colour: palette.Rgb) -> None:
+        self.root, self.axes, self.unit, self.title = f"/view/near/{name}", axes, unit, title
         self.scale = 0.0
         self.frame = scene.add_frame(self.root, show_axes=False, visible=False)
-        self.directions, faces = ball(2 if light else 3)
         self.hull = scene.add_mesh_simple(
             f"{self.root}/hull",
-            self.directions * SKIN_M,
-            faces,
+            np.zeros((VERTICES, 3)),
+            np.zeros((FACES, 3), np.uint32),
             color=colour,
             opacity=0.26,
             side="double",
@@ -77,8 +73,8 @@ class SetView:
             font_screen_scale=0.9,
             anchor="bottom-center",
         )
-        self.achieved = self._arrow(scene, "achieved", palette.ACHIEVED, 0.018, 0.05, 0.13)
-        self.demanded = self._arrow(scene, "demanded", palette.DEMANDED, 0.009, 0.04, 0.16)
+        self.achieved = self._arrow(scene, "achieved", palette.ACHIEVED, 0.016, 0.04, 0.1)
+        self.demanded = self._arrow(scene, "demanded", palette.DEMANDED, 0.008, 0.032, 0.13)
         self.residual = scene.add_line_segments(
             f"{self.root}/residual",
             np.zeros((1, 2, 3)),
@@ -86,7 +82,6 @@ class SetView:
             thickness=2.5,
             thickness_units="screen",
         )
-        self._vertices = np.zeros((1, 3))
 
     def _arrow(
         self, scene: Any, name: str, colour: palette.Rgb, shaft: float, head: float, length: float
@@ -101,17 +96,15 @@ class SetView:
             visible=False,
         )
 
-    def show_set(self, vertices: np.ndarray, title: str) -> None:
-        """The set's vertices (n, 3) in N or N m."""
-        self._vertices = np.asarray(vertices, float).reshape(-1, 3)
-        extent = float(np.abs(self._vertices).max(initial=0.0))
-        scale = full_scale(extent, self.scale)
+    def show_set(self, hull: HullMesh, title: str) -> None:
+        """The set, in N or N m."""
+        scale = full_scale(hull.extent, self.scale)
         if scale != self.scale:
             self.scale = scale
+            self.hull.scale = AXIS_M / scale
             for label, axis in zip(self.labels, self.axes, strict=True):
                 label.text = f"{axis} {scale:g} {self.unit}"
-        drawn = self._vertices * AXIS_M / scale
-        self.hull.vertices = support_mesh(drawn, self.directions, SKIN_M)
+        self.hull.vertices, self.hull.faces = hull.vertices, hull.faces
         self.heading.text = title
         self.frame.visible = True
 

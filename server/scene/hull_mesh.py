@@ -1,74 +1,62 @@
-"""A convex hull as a mesh of constant shape: the support points of a fixed set of directions."""
+"""A convex hull as a mesh of constant shape, for sets that may be flat, thin or a single line."""
 
-from functools import cache
+from dataclasses import dataclass
 
 import numpy as np
 
-
-@cache
-def ball(subdivisions: int) -> tuple[np.ndarray, np.ndarray]:
-    """Unit icosphere: directions (n, 3) and faces (m, 3), n = 10 * 4^s + 2. Do not change the arrays."""
-    g = (1.0 + 5.0**0.5) / 2.0
-    corners = [
-        (-1, g, 0),
-        (1, g, 0),
-        (-1, -g, 0),
-        (1, -g, 0),
-        (0, -1, g),
-        (0, 1, g),
-        (0, -1, -g),
-        (0, 1, -g),
-        (g, 0, -1),
-        (g, 0, 1),
-        (-g, 0, -1),
-        (-g, 0, 1),
-    ]
-    faces = [
-        (0, 11, 5),
-        (0, 5, 1),
-        (0, 1, 7),
-        (0, 7, 10),
-        (0, 10, 11),
-        (1, 5, 9),
-        (5, 11, 4),
-        (11, 10, 2),
-        (10, 7, 6),
-        (7, 1, 8),
-        (3, 9, 4),
-        (3, 4, 2),
-        (3, 2, 6),
-        (3, 6, 8),
-        (3, 8, 9),
-        (4, 9, 5),
-        (2, 4, 11),
-        (6, 2, 10),
-        (8, 6, 7),
-        (9, 8, 1),
-    ]
-    points = [np.asarray(c, float) / np.linalg.norm(c) for c in corners]
-    for _ in range(subdivisions):
-        middle: dict[tuple[int, int], int] = {}
-        finer = []
-        for a, b, c in faces:
-            ab, bc, ca = (_midpoint(points, middle, i, j) for i, j in ((a, b), (b, c), (c, a)))
-            finer += [(a, ab, ca), (b, bc, ab), (c, ca, bc), (ab, bc, ca)]
-        faces = finer
-    return np.array(points), np.array(faces, np.uint32)
+VERTICES, FACES = 400, 796  # room of every mesh; viser updates arrays in place only while shapes stay
+SKIN_SHARE = 0.012  # a direction in which a set is thinner than this share of its size gets that much body
 
 
-def _midpoint(points: list[np.ndarray], middle: dict[tuple[int, int], int], i: int, j: int) -> int:
-    key = (min(i, j), max(i, j))
-    if key not in middle:
-        middle[key] = len(points)
-        point = points[i] + points[j]
-        points.append(point / np.linalg.norm(point))
-    return middle[key]
+@dataclass(frozen=True)
+class HullMesh:
+    """vertices (VERTICES, 3) in the set's own unit, faces (FACES, 3); unused ones collapse into a point."""
+
+    vertices: np.ndarray
+    faces: np.ndarray
+
+    @property
+    def extent(self) -> float:
+        """Largest absolute coordinate."""
+        return float(np.abs(self.vertices).max())
 
 
-def support_mesh(vertices: np.ndarray, directions: np.ndarray, skin: float) -> np.ndarray:
-    """Vertices (n, 3) of the convex hull of `vertices` (m, 3), one per direction (n, 3), swollen by `skin`.
+def hull_mesh(points: np.ndarray) -> HullMesh:
+    """The convex hull of points (n, 3), n > 0."""
+    from scipy.spatial import ConvexHull
 
-    The hull of a flat or thin set is flat; the swelling (Minkowski sum with a ball) keeps it visible.
-    """
-    support = vertices[np.argmax(directions @ vertices.T, axis=1)]
-    return (support + skin * directions).astype(np.float32)
+    cloud = np.asarray(points, float).reshape(-1, 3)
+    size = max(float(np.abs(cloud).max()), 1e-3)
+    cloud = np.unique(np.round(cloud / size, 3), axis=0)
+    hull = ConvexHull(_with_body(cloud))
+    corners = hull.points[hull.vertices]
+    if len(corners) > VERTICES:  # keep corners spread over the whole hull and close it anew
+        corners = corners[np.round(np.linspace(0, len(corners) - 1, VERTICES)).astype(int)]
+        hull = ConvexHull(corners)
+        corners = hull.points[hull.vertices]
+    order = np.zeros(len(hull.points), np.int64)
+    order[hull.vertices] = np.arange(len(hull.vertices))
+    faces = _outwards(hull.points, hull.simplices, hull.equations[:, :3])
+    vertices_out = np.repeat(corners[:1], VERTICES, axis=0)
+    vertices_out[: len(corners)] = corners
+    faces_out = np.zeros((FACES, 3), np.uint32)
+    faces_out[: len(faces)] = order[faces]
+    return HullMesh((vertices_out * size).astype(np.float32), faces_out)
+
+
+def _with_body(cloud: np.ndarray) -> np.ndarray:
+    """Points of unit size, doubled across every principal direction in which they are thin."""
+    middle = cloud.mean(axis=0)
+    _, _, axes = np.linalg.svd(np.vstack([cloud - middle, np.zeros((3, 3))]), full_matrices=False)
+    for axis in axes:
+        if np.ptp((cloud - middle) @ axis) < SKIN_SHARE:
+            cloud = np.concatenate([cloud + 0.5 * SKIN_SHARE * axis, cloud - 0.5 * SKIN_SHARE * axis])
+    return cloud
+
+
+def _outwards(points: np.ndarray, simplices: np.ndarray, normals: np.ndarray) -> np.ndarray:
+    a, b, c = (points[simplices[:, k]] for k in range(3))
+    inward = np.einsum("ij,ij->i", np.cross(b - a, c - a), normals) < 0.0
+    faces = simplices.copy()
+    faces[inward, 1], faces[inward, 2] = simplices[inward, 2], simplices[inward, 1]
+    return faces

@@ -24,8 +24,8 @@ MOMENT_SET: Rgb = (129, 140, 248)
 TARGET: Rgb = (250, 204, 21)
 PATH: Rgb = (148, 163, 184)
 CURRENT: Rgb = (20, 184, 166)
-GRID_CELL: Rgb = (84, 104, 128)
-GRID_SECTION: Rgb = (100, 124, 152)
+GRID_CELL: Rgb = (76, 94, 116)
+GRID_SECTION: Rgb = (92, 114, 140)
 AXIS_NORTH: Rgb = (220, 68, 68)
 AXIS_EAST: Rgb = (46, 160, 90)
 AXIS_DOWN: Rgb = (70, 120, 230)
@@ -40,6 +40,12 @@ MODE_NAME: dict[int, str] = {
     pb.MODE_REVERSE: "R · Reverse",
     pb.MODE_HOVER: "H · Hover",
 }
+
+
+def vertex_colour(rgb: Rgb) -> Rgb:
+    """A colour as viser wants it per vertex of a line: linear, where single colours are sRGB."""
+    red, green, blue = (round(255.0 * (c / 255.0) ** 2.2) for c in rgb)
+    return red, green, blue
 
 
 def mode_colour(mode: int) -> Rgb:

@@ -45,9 +45,10 @@ class Picture:
         scene = server.scene
         scene.set_up_direction("-z")
         scene.configure_environment_map(None)
-        scene.configure_default_lights(enabled=True, cast_shadow=False)
+        scene.configure_default_lights(enabled=False)
+        scene.add_light_directional("/sun", intensity=1.7, position=(-3.0, 4.0, -10.0))
         scene.add_light_hemisphere(
-            "/light", sky_color=(235, 245, 255), ground_color=(120, 140, 160), intensity=1.6
+            "/light", sky_color=(235, 245, 255), ground_color=(120, 140, 160), intensity=1.1
         )
         self.places = Places()
         self.water = WaterView(scene)
@@ -55,8 +56,8 @@ class Picture:
         self.target = TargetView(scene)
         self.current = CurrentView(scene)
         self.trail = TrailView(scene, track)
-        self.force = SetView(scene, "force", "attainable force", "XYZ", "N", palette.FORCE_SET, light)
-        self.moment = SetView(scene, "moment", "attainable moment", "KMN", "N·m", palette.MOMENT_SET, light)
+        self.force = SetView(scene, "force", "attainable force", "XYZ", "N", palette.FORCE_SET)
+        self.moment = SetView(scene, "moment", "attainable moment", "KMN", "N·m", palette.MOMENT_SET)
         self.label = scene.add_label("/view/status", "", position=(0.0, 0.0, -0.32), anchor="bottom-center")
         self.vehicle: VehicleView | None = None
         self._described = ""
@@ -68,7 +69,7 @@ class Picture:
         live = self._state.link == pb.LINK_STATE_LIVE
         self._describe()
         with self._server.atomic():
-            self._surroundings()
+            self._surroundings(live)
             self._body(live)
             self._wrench(live)
             self.trail.draw()
@@ -103,7 +104,7 @@ class Picture:
             self.vehicle = VehicleView(self._server.scene, vehicle, self._light)
         self._sets.vehicle(vehicle)
 
-    def _surroundings(self) -> None:
+    def _surroundings(self, live: bool) -> None:
         if (plan := self._fresh("plan", pb.Plan)) is not None and self.plan.show(plan):
             self.places.path = self.plan.points
         if (target := self._fresh("target", pb.Target)) is not None:
@@ -111,6 +112,7 @@ class Picture:
             self.places.target = pose.vector(target.position_ned_m)
             self.places.target_heading = radians(target.heading_deg)
             self.places.observation = pose.vector(target.observation_point_ned_m)
+        self.target.name(self._last("target", pb.Target), live)
         if (supervisor := self._fresh("supervisor", pb.Supervisor)) is not None:
             self.target.thresholds(supervisor)
         deepest = plane_depth(

@@ -38,7 +38,7 @@ class PlanView:
             f"{WORLD}/plan/marks",
             np.zeros((LONGEST, 3)),
             palette.PATH,
-            point_size=0.09,
+            point_size=0.045,
             point_shape="circle",
             point_shading="flat",
             precision="float32",

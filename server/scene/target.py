@@ -12,6 +12,7 @@ from server.scene.water import WORLD
 from twin.contract import bumpless_pb2 as pb
 
 ROOT = f"{WORLD}/target"
+DETAIL = f"{WORLD}/near/observation"  # labels that only close views show, see `cameras`
 RINGS = (("fr", "range_fr_lower_m", "F→R", palette.REVERSE), ("rh", "range_rh_lower_m", "R→H", palette.HOVER))
 
 
@@ -46,15 +47,15 @@ class TargetView:
             f"{ROOT}/approach",
             np.array([[[-2.2, 0.0, 0.0], [-0.7, 0.0, 0.0]]]),
             palette.TARGET,
-            shaft_radius=0.02,
-            head_radius=0.07,
-            head_length=0.2,
+            shaft_radius=0.014,
+            head_radius=0.05,
+            head_length=0.16,
         )
         self.label = scene.add_label(
             f"{ROOT}/label",
             "target",
-            position=(0.5, 0.0, -0.75),
-            anchor="bottom-center",
+            position=(0.5, 0.0, 0.7),
+            anchor="top-center",
             font_screen_scale=0.9,
         )
         self.point = scene.add_frame(f"{WORLD}/observation", show_axes=False, visible=False)
@@ -65,12 +66,13 @@ class TargetView:
             f"{WORLD}/observation/cross", cross, palette.HOVER, thickness=2.5, thickness_units="screen"
         )
         scene.add_label(
-            f"{WORLD}/observation/label",
+            f"{DETAIL}/label",
             "observation point",
-            position=(0.0, 0.0, 0.35),
+            position=(0.0, 0.0, 0.45),
             anchor="top-center",
             font_screen_scale=0.8,
         )
+        self.detail = scene.add_frame(DETAIL, show_axes=False, visible=False)
         self.rings: dict[str, Any] = {}
         self.ring_labels: dict[str, Any] = {}
         self._radius: dict[str, float] = {}
@@ -80,21 +82,26 @@ class TargetView:
                 ring, mesh.circle(1.0), colour, thickness=2.0, thickness_units="screen", visible=False
             )
             self.ring_labels[name] = scene.add_label(
-                f"{ring}_label", "", anchor="center-center", font_screen_scale=0.8, visible=False
+                f"{DETAIL}/ring_{name}" if name == "rh" else f"{ring}_label",
+                "",
+                anchor="center-center",
+                font_screen_scale=0.8,
+                visible=False,
             )
 
     def show(self, target: pb.Target) -> None:
-        """Place target and observation point; says whether the camera sees the target now."""
+        """Place target and observation point."""
         self.frame.position = pose.vector(target.position_ned_m)
         self.frame.wxyz = pose.of_heading(target.heading_deg)
-        self.point.position = pose.vector(target.observation_point_ned_m)
-        seen = "detected" if target.detected else "not detected"
-        self.label.text = f"target {target.heading_deg % 360.0:03.0f}° · {seen}"
-        self.frame.visible = self.point.visible = True
+        self.point.position = self.detail.position = pose.vector(target.observation_point_ned_m)
+        self.frame.visible = self.point.visible = self.detail.visible = True
 
-    def hide(self) -> None:
-        """No target is known."""
-        self.frame.visible = self.point.visible = False
+    def name(self, target: pb.Target, live: bool) -> None:
+        """Approach heading and, while that is known, whether the camera sees the target."""
+        words = f"target {target.heading_deg % 360.0:03.0f}°"
+        if live:
+            words += " · detected" if target.detected else " · not detected"
+        self.label.text = words
 
     def thresholds(self, supervisor: pb.Supervisor) -> None:
         """Circles at d_FR^L and d_RH^L. Source: Gao et al. 2026, eq. (53)."""

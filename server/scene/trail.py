@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from server.scene.palette import mode_colour
+from server.scene.palette import mode_colour, vertex_colour
 
 CHUNK = 100
 FIRST_SPACING_M = 0.1
@@ -33,7 +33,7 @@ class Track:
 
     def add(self, position_ned_m: np.ndarray, mode: int) -> bool:
         """Take a point if it is far enough from the last; True if taken."""
-        colour = np.asarray(mode_colour(mode), np.uint8)
+        colour = np.asarray(vertex_colour(mode_colour(mode)), np.uint8)
         if self.count:
             step = float(np.linalg.norm(position_ned_m - self.points[self.count - 1]))
             if step < self.spacing_m:

@@ -49,7 +49,6 @@ class WaterView:
             f"{WORLD}/plane_label",
             "",
             font_screen_scale=0.8,
-            depth_test=True,
             position=(0.0, 0.0, self.depth_m),
         )
         self.axes = scene.add_frame(f"{WORLD}/ned", show_axes=False)
@@ -62,10 +61,14 @@ class WaterView:
         self.plumb = scene.add_line_segments("/view/plumb", unit, palette.GRID_SECTION, **thin)
         self.foot = scene.add_line_segments("/view/foot", mesh.circle(0.3, 32), palette.GRID_SECTION, **thin)
         self.surface = scene.add_line_segments(
-            "/view/surface", mesh.circle(0.3, 32), palette.AXIS_DOWN, thickness=2.0, thickness_units="screen"
+            "/view/near/surface",
+            mesh.circle(0.2, 32),
+            palette.AXIS_DOWN,
+            thickness=2.0,
+            thickness_units="screen",
         )
         scene.add_label(
-            "/view/surface/label",
+            "/view/near/surface/label",
             "water surface",
             position=(0.0, 0.0, -0.08),
             font_screen_scale=0.8,

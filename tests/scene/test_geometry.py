@@ -6,7 +6,7 @@ import pytest
 from server.scene import pose
 from server.scene.cameras import Places, placed
 from server.scene.envelopes import AXIS_M, OVERSHOOT, clipped, full_scale
-from server.scene.hull_mesh import ball, support_mesh
+from server.scene.hull_mesh import FACES, VERTICES, HullMesh, hull_mesh
 from server.scene.plan import LONGEST, path_points
 from server.scene.water import plane_depth
 from twin.contract import bumpless_pb2 as pb
@@ -33,23 +33,35 @@ def test_nothing_undrawable_reaches_the_scene() -> None:
     assert pose.vector(pb.Vector3(x=float("nan"), y=float("inf"), z=2.0)).tolist() == [0.0, 0.0, 2.0]
 
 
-def test_support_mesh_lies_on_the_hull() -> None:
-    """A cube's mesh reaches its corners and never leaves it by more than the skin."""
-    corners = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], float)
-    directions, faces = ball(2)
-    assert directions.shape == (162, 3) and faces.shape == (320, 3)
-    vertices = support_mesh(corners, directions, 0.01)
-    assert vertices.shape == directions.shape
-    assert 1.0 < np.abs(vertices).max() <= 1.0101
-    for corner in corners:
-        assert np.linalg.norm(vertices - corner, axis=1).min() < 0.011
+def _volume(mesh: HullMesh) -> float:
+    a, b, c = (mesh.vertices[mesh.faces[:, k]].astype(float) for k in range(3))
+    return float(np.einsum("ij,ij->", a, np.cross(b, c)) / 6.0)
 
 
-def test_flat_sets_stay_visible() -> None:
-    """At rest only roll is left of the moments: a line still gets some body."""
-    directions, _ = ball(2)
-    vertices = support_mesh(np.array([[-0.5, 0.0, 0.0], [0.5, 0.0, 0.0]]), directions, 0.01)
-    assert np.ptp(vertices, axis=0) == pytest.approx([1.02, 0.02, 0.02], abs=2e-3)
+def test_hull_mesh_is_the_hull() -> None:
+    """A cube with points inside keeps its corners and its volume, wound outwards, in arrays of one shape."""
+    corners = np.array([[x, y, z] for x in (-2, 2) for y in (-2, 2) for z in (-2, 2)], float)
+    mesh = hull_mesh(np.concatenate([corners, 0.4 * corners, np.zeros((1, 3))]))
+    assert mesh.vertices.shape == (VERTICES, 3) and mesh.faces.shape == (FACES, 3)
+    assert mesh.extent == pytest.approx(2.0)
+    assert _volume(mesh) == pytest.approx(64.0, rel=1e-5)
+
+
+def test_a_hull_with_too_many_corners_still_fits() -> None:
+    """More corners than the mesh has room for: nearly the same volume in the same shape."""
+    points = np.random.default_rng(1).normal(size=(3000, 3))
+    mesh = hull_mesh(points / np.linalg.norm(points, axis=1, keepdims=True))
+    assert _volume(mesh) == pytest.approx(4.0 / 3.0 * np.pi, rel=0.05)
+
+
+@pytest.mark.parametrize("spread", [(0.5, 0.0, 0.0), (0.5, 0.3, 0.0), (0.0, 0.0, 0.0)])
+def test_flat_sets_stay_visible(spread: tuple[float, float, float]) -> None:
+    """At rest only roll is left of the moments: a line, a plate or a point still gets some body."""
+    points = np.random.default_rng(2).uniform(-1.0, 1.0, (50, 3)) * spread
+    mesh = hull_mesh(points)
+    assert np.isfinite(mesh.vertices).all()
+    assert _volume(mesh) > 0.0
+    np.testing.assert_allclose(np.ptp(mesh.vertices, axis=0), np.ptp(points, axis=0), atol=0.02)
 
 
 def test_scale_moves_in_round_steps_and_holds() -> None:
@@ -76,7 +88,11 @@ def test_an_arrow_beyond_the_scale_is_cut_in_its_own_direction() -> None:
 def test_cameras_look_down_on_what_they_name(view: str) -> None:
     """Every preset stands above what it looks at, at a finite distance, also before anything is known."""
     known = Places(
-        np.array([10.0, 5.0, 3.0]), 0.4, np.array([[0, 0, 3.0], [30, 0, 4.0]]), np.array([30.0, 1.0, 4.0]), 0.1
+        np.array([10.0, 5.0, 3.0]),
+        0.4,
+        np.array([[0, 0, 3.0], [30, 0, 4.0]]),
+        np.array([30.0, 1.0, 4.0]),
+        0.1,
     )
     for places in (Places(), known):
         position, aim = placed(view, places)

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from server.scene.palette import FORWARD, HOVER
+from server.scene.palette import FORWARD, HOVER, vertex_colour
 from server.scene.trail import CHUNK, Track, TrailView
 from twin.contract import bumpless_pb2 as pb
 
@@ -64,8 +64,8 @@ def test_segments_have_the_modes_colour() -> None:
     _fly(track, 1.0, step=0.2)
     track.add(np.array([2.0, 0.0, 2.0]), pb.MODE_HOVER)
     _, colours = track.chunk(0)
-    assert tuple(colours[0, 0]) == FORWARD
-    assert tuple(colours[track.count - 2, 1]) == HOVER
+    assert tuple(colours[0, 0]) == vertex_colour(FORWARD)
+    assert tuple(colours[track.count - 2, 1]) == vertex_colour(HOVER)
 
 
 def test_clear_empties_the_picture() -> None:

@@ -55,7 +55,23 @@
     }
   };
 
+  // The colours of server/scene/palette.py, said once.
+  const LEGEND = [
+    ["#d946ef", "τ_d demanded"], ["#06b6d4", "τ_c achieved"], ["#ef4444", "residual"],
+    ["#3b82f6", "F forward"], ["#f59e0b", "R reverse"], ["#10b981", "H hover"], ["#94a3b8", "planned path"],
+  ];
+
   addEventListener("DOMContentLoaded", () => {
+    const legend = document.createElement("p");
+    legend.id = "scene-legend";
+    for (const [colour, name] of LEGEND) {
+      const mark = document.createElement("i");
+      mark.style.background = colour;
+      const entry = document.createElement("span");
+      entry.append(mark, name);
+      legend.append(entry);
+    }
+    document.body.append(legend);
     const note = document.createElement("div");
     note.id = "scene-link";
     note.setAttribute("role", "status");
