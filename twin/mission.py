@@ -191,15 +191,18 @@ class Mission:
         return (self.start.position_ned_m, *(leg.to_ned_m for leg in self.legs))
 
 
-def parse_mission(text: str, source: str = "mission.yaml", vehicle: "Vehicle | None" = None) -> Mission:
+def parse_mission(
+    text: str, source: str = "mission.yaml", vehicle: "Vehicle | None" = None, any_vehicle: bool = False
+) -> Mission:
     """The mission that `text` holds; `source` is the name its problems carry.
 
     It is checked against `vehicle`, or when None against the vehicle file of the name it asks for.
+    With `any_vehicle` it may ask for another than `vehicle`, and is still checked against that one.
     Raises MissionError with every problem, in the order of the file.
     """
     from twin.mission_read import read_mission
 
-    return read_mission(text, source, vehicle)
+    return read_mission(text, source, vehicle, any_vehicle)
 
 
 def mission_json_schema() -> dict[str, Any]:

@@ -19,14 +19,14 @@ if TYPE_CHECKING:
     from twin.vehicle import Vehicle
 
 
-def read_mission(text: str, source: str, vehicle: "Vehicle | None") -> Mission:
+def read_mission(text: str, source: str, vehicle: "Vehicle | None", any_vehicle: bool = False) -> Mission:
     """See twin.mission.parse_mission."""
     document = Document(text, source)
     mission = None
     if document.root is not None:
         mission = _read_fields(document, document.root, Mission, "", source=source, text=text)
     if mission is not None:
-        check_rules(document, mission, vehicle)
+        check_rules(document, mission, vehicle, any_vehicle)
     if document.problems or mission is None:
         raise MissionError(sorted(document.problems, key=lambda p: (p.line or 0, p.column or 0)))
     return mission

@@ -16,13 +16,15 @@ if TYPE_CHECKING:
 SHORTEST_LEG_M = 0.5
 
 
-def check_rules(document: Document, mission: Mission, vehicle: "Vehicle | None") -> None:
+def check_rules(
+    document: Document, mission: Mission, vehicle: "Vehicle | None", any_vehicle: bool = False
+) -> None:
     """Add a problem to the document for each broken rule."""
     for path, value, rule in (*_legs(mission), *_times(mission)):
         document.refuse(path, value, rule)
     if vehicle is None:
         vehicle = _vehicle_by_name(document, mission)
-    elif mission.vehicle != vehicle.id:
+    elif mission.vehicle != vehicle.id and not any_vehicle:
         document.refuse("vehicle", mission.vehicle, f"must be {vehicle.id}, the vehicle that is to fly it")
     if vehicle is not None:
         for path, value, rule in _faults(mission, vehicle):

@@ -1,0 +1,29 @@
+"""`bumpless metrics`: the figures of a recorded run."""
+
+import json
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+
+def metrics(
+    log: Annotated[Path, typer.Argument(help="MCAP file of a run.", exists=True, dir_okay=False)],
+    as_json: Annotated[bool, typer.Option("--json", help="Print JSON.")] = False,
+) -> None:
+    """Compute the metrics of a recorded run."""
+    from mcap.exceptions import McapError
+
+    from server.cli.tables import metrics_text
+    from server.run_metrics import metrics_of_file
+    from twin.metrics import as_dict
+
+    try:
+        found = metrics_of_file(log, log.stem)
+    except McapError as error:
+        typer.echo(f"{log}: is not an MCAP file: {error}", err=True)
+        raise typer.Exit(1) from error
+    if found is None:
+        typer.echo(f"{log}: holds no cycle of a mission, or no description of its vehicle", err=True)
+        raise typer.Exit(1)
+    typer.echo(json.dumps(as_dict(found), indent=2) if as_json else metrics_text(found))
