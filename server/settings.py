@@ -13,6 +13,9 @@ from pydantic_settings import BaseSettings, NoDecode, SettingsConfigDict
 from twin.contract import keys
 
 PREFIX = "BUMPLESS_"
+NOT_SETTINGS = frozenset(
+    {"BUMPLESS_CHROMIUM", "BUMPLESS_CACHE_DIR", "BUMPLESS_SKIP_CONSOLE"}
+)  # of other parts
 
 Names = Annotated[tuple[str, ...], NoDecode]  # written "a,b" in the environment
 Command = Annotated[tuple[str, ...], NoDecode]  # written as in a shell
@@ -103,7 +106,7 @@ def load_settings(**given: Any) -> Settings:
     known = {PREFIX + name.upper(): name for name in Settings.model_fields}
     lines = []
     for variable in sorted(os.environ):
-        if variable.upper().startswith(PREFIX) and variable.upper() not in known:
+        if variable.upper().startswith(PREFIX) and variable.upper() not in known.keys() | NOT_SETTINGS:
             near = difflib.get_close_matches(variable.upper(), known, n=1)
             lines.append(f"{variable}: no such setting" + (f"; did you mean {near[0]}?" if near else ""))
     if lines:

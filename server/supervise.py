@@ -21,6 +21,7 @@ log = logging.getLogger(__name__)
 HUNG_AFTER_S = 10.0  # without liveliness, though the process runs
 YOUNG_S = 10.0  # a node that dies younger is not started again at once
 BACK_OFF_S = (0.0, 1.0, 2.0, 5.0, 10.0, 30.0)
+TAKEN = 3  # exit code of a node whose vehicle id is alive already, see twin.node.process
 ASKED_S, TERMINATED_S = 4.0, 3.0  # patience before terminate, before kill
 
 Say = Callable[[pb.Severity, str, str, dict[str, str]], None]
@@ -144,6 +145,10 @@ class Supervisor:
         self._early_deaths = self._early_deaths + 1 if young and not ended.process.adopted else 0
         wait_s = BACK_OFF_S[min(self._early_deaths, len(BACK_OFF_S) - 1)]
         self._spawn_at = time.monotonic() + wait_s
+        if ended.code == TAKEN:
+            text = "Another node speaks for this vehicle already; the console uses that one"
+            self.say(pb.SEVERITY_WARNING, "node_elsewhere", text, {})
+            return
         self.restarts += 1
         again = "it is started again" if wait_s == 0 else f"it is started again in {wait_s:g} s"
         self.say(

@@ -186,7 +186,7 @@ def main() -> int:
                 reply = fake.answer(verb, query.payload.to_bytes() if query.payload else b"")
                 query.reply(query.key_expr, reply.SerializeToString(), encoding=keys.encoding_of(reply))
 
-        held = [session.liveliness().declare_token(keys.alive("ts100"))]
+        held: list[object] = [session.liveliness().declare_token(keys.alive("ts100"))]
         if not options.deaf:
             held.append(session.declare_queryable(keys.command("ts100", "*"), on_query))
         fake.slow()

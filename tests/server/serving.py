@@ -1,0 +1,97 @@
+"""A real server on a real bus in this process, and ways to wait for what happens in it."""
+
+import asyncio
+import contextlib
+import socket
+import threading
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import httpx
+import uvicorn
+
+from server.app import create_app
+from server.console import Console
+from server.settings import Settings
+
+FAKE = Path(__file__).with_name("fake_vehicle.py")
+PATIENCE_S = 20.0  # how long a test waits before it fails; never how long it takes
+
+
+def free_port() -> int:
+    """A TCP port that nobody listens on now."""
+    with socket.create_server(("127.0.0.1", 0)) as listener:
+        return listener.getsockname()[1]
+
+
+def until(console: Console, holds: Callable[[], Any], patience_s: float = PATIENCE_S) -> Any:
+    """Wait until `holds()` is true, looked at after each message that the server takes in."""
+    happened = threading.Event()
+    stop = console.state.subscribe(lambda _sample: happened.set())
+    try:
+        # the server's own status comes at 2 Hz, so this looks at least that often
+        for _ in range(10_000):
+            if found := holds():
+                return found
+            if not happened.wait(patience_s):
+                break
+            happened.clear()
+    finally:
+        stop()
+    raise AssertionError("it did not happen")
+
+
+@dataclass
+class Running:
+    """A server in this process: its console, its address, and how to end it."""
+
+    console: Console
+    port: int
+    http: httpx.Client
+    _stop: Callable[[], None] = field(repr=False, default=lambda: None)
+
+    @property
+    def url(self) -> str:
+        return f"http://127.0.0.1:{self.port}"
+
+    def until(self, holds: Callable[[], Any], patience_s: float = PATIENCE_S) -> Any:
+        return until(self.console, holds, patience_s)
+
+    def stop(self) -> None:
+        self._stop()
+
+
+@contextlib.contextmanager
+def serving(settings: Settings) -> Iterator[Running]:
+    """Serve `settings` with uvicorn on a thread of this process."""
+    console = Console(settings)
+    console.start()
+    listener = socket.create_server(("127.0.0.1", 0))
+    config = uvicorn.Config(
+        create_app(settings, console),
+        log_config=None,
+        ws_per_message_deflate=False,
+        timeout_graceful_shutdown=1,
+    )
+    server = uvicorn.Server(config)
+    thread = threading.Thread(
+        target=lambda: asyncio.run(server.serve(sockets=[listener])), name="uvicorn", daemon=True
+    )
+    thread.start()
+    port = listener.getsockname()[1]
+    with httpx.Client(base_url=f"http://127.0.0.1:{port}", timeout=PATIENCE_S) as http:
+        http.get("/api/health").raise_for_status()
+
+        def stop() -> None:
+            server.should_exit = True
+            thread.join()
+            console.stop()
+
+        running = Running(console, port, http, stop)
+        try:
+            yield running
+        finally:
+            stop()
+            listener.close()
