@@ -23,8 +23,3 @@ export function actuatorNames(): string[] {
 export function axisUnit(axis: WrenchAxis): string {
   return axis === "X" || axis === "Y" || axis === "Z" ? "N" : "N·m";
 }
-
-/** "rudder_upper_starboard" as a label. */
-export function label(name: string): string {
-  return name.replaceAll("_", " ");
-}

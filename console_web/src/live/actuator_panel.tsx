@@ -2,7 +2,6 @@
 // Saturation and rate limit have a shape of their own beside the colour.
 import type { Actuator } from "../gen/bumpless_pb";
 import { fixed } from "../lib/format";
-import { label } from "../lib/vehicle";
 import { useFrame } from "../stream/frame";
 import { live } from "../stream/store";
 import { DiamondIcon, TriangleIcon } from "../ui/icons";
@@ -44,12 +43,12 @@ function Row({ actuator: a }: { actuator: Actuator }) {
   const state = a.saturated ? "saturated" : a.rateLimited ? "limited" : "free";
   const window = { left: `${at(a.lower)}%`, width: `${Math.max(0.5, at(a.upper) - at(a.lower))}%` };
   const about =
-    `${label(a.name)}: command ${fixed(a.command, decimals)}, feedback ${fixed(a.feedback, decimals)} ${unit}; ` +
+    `${a.name}: command ${fixed(a.command, decimals)}, feedback ${fixed(a.feedback, decimals)} ${unit}; ` +
     `bounds ${fixed(a.amplitudeLower, decimals)} to ${fixed(a.amplitudeUpper, decimals)}, ` +
     `now ${fixed(a.lower, decimals + 1)} to ${fixed(a.upper, decimals + 1)}`;
   return (
     <li class="actuator" data-state={state} title={about}>
-      <span class="actuator-name">{label(a.name)}</span>
+      <span class="actuator-name">{a.name}</span>
       <span class="travel">
         <i class="travel-window" style={window} />
         <i class="travel-zero" style={{ left: `${at(0)}%` }} />

@@ -8,7 +8,7 @@ import { live } from "../stream/store";
 import { AlarmIcon, CheckIcon, WarningIcon } from "../ui/icons";
 import { Empty, Panel } from "../ui/panel";
 import { Canvas } from "./canvas";
-import { firstIndex, window_s } from "./time_axis";
+import { firstIndex, shown } from "./time_axis";
 
 const STATUS: Record<SolveStatus, { name: string; look: string; about: string; Icon: typeof CheckIcon }> = {
   [SolveStatus.UNSPECIFIED]: { name: "Unknown", look: "off", about: "No status", Icon: WarningIcon },
@@ -77,9 +77,8 @@ function Figure({ name, value, unit, column, about }: FigureProps) {
 
 function spark(g: CanvasRenderingContext2D, width: number, height: number, name: string): void {
   const column = history.columns[name];
-  const to = history.last();
+  const [from, to] = shown();
   if (!column || !Number.isFinite(to)) return;
-  const from = to - window_s();
   const first = firstIndex(from);
   let top = 0;
   for (let i = first; i < column.length; i++) top = Math.max(top, column[i] ?? 0);

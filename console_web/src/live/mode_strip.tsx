@@ -5,7 +5,7 @@ import { modeLook } from "../lib/modes";
 import { colour } from "../lib/theme";
 import { history } from "../stream/log";
 import { Canvas } from "./canvas";
-import { firstIndex, spans, timeLabel, window_s } from "./time_axis";
+import { firstIndex, shown, spans, timeLabel } from "./time_axis";
 
 const AXIS = 13;
 const LAMPS = 11;
@@ -15,8 +15,7 @@ export function ModeStrip() {
 }
 
 function paint(g: CanvasRenderingContext2D, width: number, height: number): void {
-  const to = history.last();
-  const from = to - window_s();
+  const [from, to] = shown();
   const x = (time: number): number => ((time - from) / (to - from)) * width;
   const lane = height - AXIS - LAMPS - 2;
   g.fillStyle = colour("--well");
@@ -76,7 +75,7 @@ function paintAxis(
   g.fillStyle = colour("--ink-2");
   g.font = "10px system-ui, sans-serif";
   g.textBaseline = "bottom";
-  const step = window_s() <= 60 ? 10 : window_s() <= 180 ? 30 : 120;
+  const step = [5, 10, 30, 60].find((s) => (to - from) / s <= 8) ?? 120;
   const origin = Number.isFinite(history.missionStart) ? history.missionStart : to;
   for (let k = Math.ceil((from - origin) / step); origin + k * step <= to; k++) {
     const time = origin + k * step;

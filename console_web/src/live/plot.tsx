@@ -8,7 +8,7 @@ import { colour, onTheme } from "../lib/theme";
 import { history } from "../stream/log";
 import { onFrame } from "../stream/frame";
 import type { PlotSpec } from "./plots";
-import { spans, timeLabel, window_s } from "./time_axis";
+import { shown, spans, timeLabel, window_s } from "./time_axis";
 
 export function Plot({ spec, axis }: { spec: PlotSpec; axis: boolean }) {
   const box = useRef<HTMLDivElement>(null);
@@ -34,9 +34,9 @@ function mount(box: HTMLElement, values: HTMLElement | null, spec: PlotSpec, axi
   };
   const feed = (): void => {
     if (!plot || !box.clientHeight) return;
-    const to = history.last();
+    const [min, max] = shown();
     plot.setData(dataOf(spec), false);
-    plot.setScale("x", Number.isFinite(to) ? { min: to - window_s(), max: to } : { min: 0, max: window_s() });
+    plot.setScale("x", Number.isFinite(max) ? { min, max } : { min: 0, max: window_s() });
     if (values) showValues(values, spec, plot);
   };
   make();
@@ -82,7 +82,7 @@ function options(spec: PlotSpec, axis: boolean, width: number, height: number): 
     height: Math.max(40, height),
     legend: { show: false },
     cursor: { sync: { key: "live" }, drag: { x: false, y: false }, points: { size: 5 }, y: false },
-    padding: [5, 8, axis ? 0 : 5, 0],
+    padding: [5, 16, axis ? 0 : 5, 0],
     scales: {
       x: { time: false },
       y: { dir: spec.downward ? -1 : 1, range: (_, low, high) => span(low, high, spec.smallestSpan) },

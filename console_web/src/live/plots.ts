@@ -1,5 +1,5 @@
 // What is plotted: groups of small plots, each a measured line and its reference.
-import { axisUnit, controllableAxes, label } from "../lib/vehicle";
+import { axisUnit, controllableAxes } from "../lib/vehicle";
 import { live } from "../stream/store";
 
 export interface Trace {
@@ -63,7 +63,7 @@ export function specsOf(group: Group): PlotSpec[] {
   }
   return (live.latest("tlm/actuators")?.actuators ?? []).map(({ name, unit }) => ({
     id: `actuator_${name}`,
-    title: label(name),
+    title: name,
     unit: unit === "deg" ? "°" : unit,
     decimals: unit === "deg" ? 1 : 0,
     smallestSpan: unit === "deg" ? 2 : 10,

@@ -11,6 +11,16 @@ export function window_s(): number {
   return chosen;
 }
 
+/** A flight younger than the window is shown from its beginning, but never less than this, s. */
+const SHORTEST_S = 30;
+
+/** The stretch of vehicle time that is shown now, s; [NaN, NaN] before the first value. */
+export function shown(): [from: number, to: number] {
+  const to = history.last();
+  const first = history.time[0] ?? to;
+  return [Math.max(to - chosen, Math.min(first, to - Math.min(SHORTEST_S, chosen))), to];
+}
+
 export function setWindow(seconds: number): void {
   chosen = seconds;
   invalidate();

@@ -1,6 +1,6 @@
 // Q, R, lambda and ramp of the three modes side by side: rows are parameters, columns are modes.
 import { FLIGHT_MODES } from "../lib/modes";
-import { actuatorNames, axisUnit, controllableAxes, label } from "../lib/vehicle";
+import { actuatorNames, axisUnit, controllableAxes } from "../lib/vehicle";
 import { WRENCH_AXES } from "../stream/history";
 import { draft } from "./draft";
 import { NumberField } from "./field";
@@ -27,7 +27,7 @@ function blocks(): Block[] {
       : [],
   );
   const r = actuatorNames().map(
-    (name, index): Row => ({ key: `r_diagonal[${index}]`, name: `R ${label(name)}`, unit: "1", about: `Weight of the command of ${label(name)}, over its bound` }),
+    (name, index): Row => ({ key: `r_diagonal[${index}]`, name: `R ${name}`, unit: "1", about: `Weight of the command of ${name}, over its bound` }),
   );
   const rest: Row[] = [
     { key: "lambda", name: "λ", unit: "1", about: "Price of commands against wrench error" },
