@@ -1,4 +1,4 @@
-"""A vehicle that moves in a straight line: nothing to compile, so that tests of the node are about the node."""
+"""A vehicle that moves in a straight line, with nothing to compile: tests of the node are about the node."""
 
 import sys
 from typing import Any
