@@ -97,6 +97,7 @@ class Recorder:
             for item in self._queue.take(self._wait_s()):
                 self._guard(self._handle, item)
             self._guard(self._on_time)
+        self._guard(self._finish_ended)
         self._guard(self._finish, INTERRUPTED, "the server was stopped")
 
     def _guard(self, action: Callable[..., None], *arguments: object) -> None:
@@ -167,12 +168,19 @@ class Recorder:
     def _begin(self, status: pb.MissionStatus) -> None:
         self._dropped_before = self._queue.dropped
         self._run = run = RunFile(self._folder, status, dict(self._context), self._version)
-        first = status.stamp.cycle - round(status.elapsed_s / self._period_s())
         for sample in self._recent:
-            if sample.topic not in CONTEXT and _cycle(sample) >= first:
+            if sample.topic not in CONTEXT and self._belongs(sample, status):
                 run.write(sample)
         self._flush_at = time.monotonic() + FLUSH_S
         log.info("recording %s", run.path)
+
+    def _belongs(self, sample: Sample, status: pb.MissionStatus) -> bool:
+        """Was this said in a cycle of the mission whose first heard status is `status`?"""
+        stamp, period = stamp_of(sample.payload), self._period_s()
+        slack = 0.25 * period if status.elapsed_s > 0 else 0.0  # cycles are paced, not exact
+        began_ns = status.stamp.time_ns - round((status.elapsed_s + slack) * 1e9)
+        first = status.stamp.cycle - round(status.elapsed_s / period)
+        return stamp is not None and stamp.cycle >= first and stamp.time_ns >= began_ns
 
     def _finish_ended(self) -> None:
         if self._end is None:

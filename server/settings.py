@@ -13,9 +13,8 @@ from pydantic_settings import BaseSettings, NoDecode, SettingsConfigDict
 from twin.contract import keys
 
 PREFIX = "BUMPLESS_"
-NOT_SETTINGS = frozenset(
-    {"BUMPLESS_CHROMIUM", "BUMPLESS_CACHE_DIR", "BUMPLESS_SKIP_CONSOLE"}
-)  # of other parts
+# Read by other parts: the tests, the compiler cache, the build.
+NOT_SETTINGS = frozenset({"BUMPLESS_CHROMIUM", "BUMPLESS_CACHE_DIR", "BUMPLESS_SKIP_CONSOLE"})
 
 Names = Annotated[tuple[str, ...], NoDecode]  # written "a,b" in the environment
 Command = Annotated[tuple[str, ...], NoDecode]  # written as in a shell
