@@ -23,6 +23,7 @@ from twin.problems import ProblemsError
 
 ARROW_PERIOD_NS = 200_000_000
 ENVELOPE_PERIOD_NS = 2_000_000_000
+ENVELOPE_DIRECTIONS = 200
 METRES_PER_UNIT = 0.2
 _WANTED = ("bumpless.VehicleDescription", "bumpless.Navigation", "bumpless.Control", "bumpless.Target")
 _ROLES = {
@@ -97,7 +98,7 @@ class SceneViews:
 def _envelopes(record: Any, surge_speed_mps: float) -> list[SceneEntity]:
     from twin.envelope import attainable_sets
 
-    sets = attainable_sets(record, surge_speed_mps)
+    sets = attainable_sets(record, surge_speed_mps, ENVELOPE_DIRECTIONS)
     made = []
     for name, hull, rgb in (
         ("force", sets.force, palette.FORCE_SET),

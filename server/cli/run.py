@@ -61,6 +61,7 @@ def run(
     metrics.run_id = info["run_id"]
     summary: dict[str, Any] = {
         **info,
+        "seed": result.seed,
         "simulated_s": metrics.duration_s,
         "wall_s": wall_s,
         "real_time_factor": metrics.duration_s / wall_s,
