@@ -34,9 +34,7 @@ function mount(box: HTMLElement, values: HTMLElement | null, spec: PlotSpec, axi
   };
   const feed = (): void => {
     if (!plot || !box.clientHeight) return;
-    const [min, max] = shown();
-    plot.setData(dataOf(spec), false);
-    plot.setScale("x", Number.isFinite(max) ? { min, max } : { min: 0, max: window_s() });
+    plot.setData(dataOf(spec));
     if (values) showValues(values, spec, plot);
   };
   make();
@@ -84,7 +82,7 @@ function options(spec: PlotSpec, axis: boolean, width: number, height: number): 
     cursor: { sync: { key: "live" }, drag: { x: false, y: false }, points: { size: 5 }, y: false },
     padding: [5, 16, axis ? 0 : 5, 0],
     scales: {
-      x: { time: false },
+      x: { time: false, range: () => timeScale() },
       y: { dir: spec.downward ? -1 : 1, range: (_, low, high) => span(low, high, spec.smallestSpan) },
     },
     axes: [
@@ -115,6 +113,12 @@ function span(low: number | null, high: number | null, smallest: number): [numbe
   if (low === null || high === null) return [0, smallest];
   const room = Math.max((high - low) * 0.08, (smallest - (high - low)) / 2, 1e-9);
   return [low - room, high + room];
+}
+
+/** Always the common window: an automatic scale could span from 1970 to now. */
+function timeScale(): [number, number] {
+  const [from, to] = shown();
+  return Number.isFinite(to) ? [from, to] : [0, window_s()];
 }
 
 function timeSplits(plot: uPlot): number[] {

@@ -1,0 +1,184 @@
+"""A server that speaks the console's HTTP and WebSocket contract and says only what a test tells it.
+
+The console's own tests need states that a healthy server never shows: a lost link, a vehicle that
+refuses, a reply without a confirmation. Frames are pushed one by one, so nothing waits for a clock.
+"""
+
+import asyncio
+import json
+import threading
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import uvicorn
+from google.protobuf.message import Message
+from starlette.applications import Starlette
+from starlette.requests import Request
+from starlette.responses import HTMLResponse, JSONResponse, Response
+from starlette.routing import Mount, Route, WebSocketRoute
+from starlette.staticfiles import StaticFiles
+from starlette.websockets import WebSocket, WebSocketDisconnect
+
+from twin.contract import bumpless_pb2 as pb
+
+DIST = Path(__file__).parents[2] / "console_web" / "dist"
+POLICY = "default-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data:; connect-src 'self'"
+SCENE = "<!doctype html><title>scene</title><body style='margin:0;background:#123'></body>"
+
+
+@dataclass
+class Call:
+    """One request that the console made."""
+
+    method: str
+    path: str
+    query: str
+    body: str
+
+    def json(self) -> Any:
+        """The body as JSON."""
+        return json.loads(self.body)
+
+
+@dataclass
+class ContractServer:
+    """Runs in a thread of its own; every public method may be called from the test's thread."""
+
+    console: Path = DIST
+    replies: dict[tuple[str, str], tuple[int, Any]] = field(default_factory=dict)
+    calls: list[Call] = field(default_factory=list)
+    port: int = 0
+
+    def __post_init__(self) -> None:
+        self._last: dict[str, pb.StreamMessage] = {}
+        self._sockets: dict[WebSocket, asyncio.Queue[bytes]] = {}
+        self._called = threading.Condition()
+        self.start()
+
+    @property
+    def url(self) -> str:
+        """Address of the console."""
+        return f"http://127.0.0.1:{self.port}/"
+
+    def start(self) -> None:
+        """Listen; after a stop, on the same port again."""
+        self._loop = asyncio.new_event_loop()
+        ready = threading.Event()
+        config = uvicorn.Config(self._app(), host="127.0.0.1", port=self.port, log_level="error", lifespan="off")
+        config.timeout_graceful_shutdown = 1
+        self._server = uvicorn.Server(config)
+        self._thread = threading.Thread(target=self._serve, args=(ready,), daemon=True)
+        self._thread.start()
+        assert ready.wait(20), "the contract server did not start"
+
+    def _serve(self, ready: threading.Event) -> None:
+        asyncio.set_event_loop(self._loop)
+
+        async def main() -> None:
+            startup = self._server.startup
+
+            async def noted_startup(sockets: Any = None) -> None:
+                await startup(sockets)
+                self.port = self._server.servers[0].sockets[0].getsockname()[1]
+                ready.set()
+
+            self._server.startup = noted_startup
+            await self._server._serve()
+
+        self._loop.run_until_complete(main())
+        self._loop.close()
+
+    def stop(self) -> None:
+        """Go away as a killed server does: sockets end, the port refuses."""
+        self._loop.call_soon_threadsafe(setattr, self._server, "should_exit", True)
+        self._server.force_exit = True
+        self._thread.join(20)
+        assert not self._thread.is_alive()
+        self._sockets.clear()
+
+    def reply(self, method: str, path: str, body: Any, status: int = 200) -> None:
+        """What to answer from now on to `method` of `path` (without the leading "/api/")."""
+        self.replies[(method, path)] = (status, body)
+
+    def say(self, messages: Iterable[tuple[str, Message]], age_s: float = 0.0) -> None:
+        """Push one frame to every browser; `age_s`: how long ago the server received these messages."""
+        now = 1_770_000_000_000_000_000
+        frame = pb.StreamFrame(server_time_ns=now)
+        for topic, message in messages:
+            frame.messages.add(
+                topic=topic,
+                schema=message.DESCRIPTOR.full_name,
+                payload=message.SerializeToString(),
+                receive_time_ns=now - round(age_s * 1e9),
+            )
+        data = frame.SerializeToString()
+
+        def push() -> None:
+            for message in frame.messages:
+                self._last[message.topic] = message
+            for queue in self._sockets.values():
+                queue.put_nowait(data)
+
+        self._loop.call_soon_threadsafe(push)
+
+    def wait_for_call(self, method: str, path: str, timeout_s: float = 10.0) -> Call:
+        """The first request of this kind, when it has come."""
+
+        def found() -> Call | None:
+            return next((c for c in self.calls if (c.method, c.path) == (method, path)), None)
+
+        with self._called:
+            assert self._called.wait_for(lambda: found() is not None, timeout_s), f"no {method} {path}"
+            call = found()
+        assert call is not None
+        return call
+
+    async def _answer(self, request: Request) -> Response:
+        path = request.path_params["path"]
+        call = Call(request.method, path, request.url.query, (await request.body()).decode())
+        with self._called:
+            self.calls.append(call)
+            self._called.notify_all()
+        status, body = self.replies.get((request.method, path), (404, {"detail": f"nothing at {path}"}))
+        if isinstance(body, bytes):
+            return Response(body, status, media_type="application/octet-stream")
+        return JSONResponse(body, status)
+
+    async def _stream(self, socket: WebSocket) -> None:
+        await socket.accept()
+        queue: asyncio.Queue[bytes] = asyncio.Queue()
+        frame = pb.StreamFrame(server_time_ns=1_770_000_000_000_000_000, messages=self._last.values())
+        queue.put_nowait(frame.SerializeToString())
+        self._sockets[socket] = queue
+        sender = asyncio.create_task(_send_all(socket, queue))
+        try:
+            await socket.receive()
+        except WebSocketDisconnect:
+            pass
+        finally:
+            sender.cancel()
+            self._sockets.pop(socket, None)
+
+    def _app(self) -> Starlette:
+        async def scene(_: Request) -> Response:
+            return HTMLResponse(SCENE)
+
+        async def page(_: Request) -> Response:
+            return HTMLResponse((self.console / "index.html").read_text(), headers={"content-security-policy": POLICY})
+
+        return Starlette(
+            routes=[
+                WebSocketRoute("/api/stream", self._stream),
+                Route("/api/{path:path}", self._answer, methods=["GET", "POST", "PUT", "DELETE"]),
+                Route("/scene/", scene),
+                Route("/", page),
+                Mount("/", StaticFiles(directory=self.console)),
+            ]
+        )
+
+
+async def _send_all(socket: WebSocket, queue: "asyncio.Queue[bytes]") -> None:
+    while True:
+        await socket.send_bytes(await queue.get())
