@@ -19,6 +19,18 @@ SESSION: contextvars.ContextVar[str] = contextvars.ContextVar("scene_session", d
 _patching = threading.Lock()
 
 
+def stop_viser(server: Any) -> None:
+    """Stop viser without its farewell on the operator's terminal. Blocks a moment."""
+    import rich
+
+    with _patching:
+        plain_print, rich.print = rich.print, lambda *_, **__: None
+        try:
+            server.stop()
+        finally:
+            rich.print = plain_print
+
+
 def start_viser() -> tuple[Any, str]:
     """A running ViserServer and the secret that opens its websocket. Blocks a moment: call in a thread."""
     import rich

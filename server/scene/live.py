@@ -58,6 +58,7 @@ class Live(threading.Thread):
         self._count = 0
         self.pictures = 0  # drawn since the start
         self.cpu_s = 0.0  # spent on them
+        self.picture: Picture | None = None  # once the thread runs
         self._unsubscribe = state.subscribe(self._heard)
 
     def _heard(self, sample: Any) -> None:
@@ -81,7 +82,7 @@ class Live(threading.Thread):
 
     def run(self) -> None:
         """Until stopped: wait for news, record, draw."""
-        picture = self._make_picture()
+        self.picture = picture = self._make_picture()
         while True:
             self._wake.wait(self._patience())
             self._wake.clear()

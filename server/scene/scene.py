@@ -98,10 +98,12 @@ class Scene:
         self.proxy.inner = (f"ws://127.0.0.1:{server.get_port()}", secret)
 
     def _stop(self) -> None:
+        from server.scene.guard import stop_viser
+
         if self.live is not None:
             self.live.stop()
         if self.viser is not None:
-            self.viser.stop()
+            stop_viser(self.viser)
         if self._sets is not None:
             self._sets.stop()
         self.viser = self.live = self._sets = None

@@ -3,7 +3,7 @@
 import contextlib
 import socket
 import threading
-from collections.abc import Iterator
+from collections.abc import AsyncIterator, Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -16,7 +16,7 @@ from server.auth import Auth
 from server.guard import Guard
 from server.sample import Sample
 from server.scene.scene import Scene
-from server.settings import Settings
+from server.settings import load_settings
 from server.state import State
 
 
@@ -50,7 +50,7 @@ def serve(**options: Any) -> Iterator[Served]:
     scene = Scene(state, **options)
 
     @contextlib.asynccontextmanager
-    async def lifespan(_: FastAPI) -> Any:
+    async def lifespan(_: FastAPI) -> AsyncIterator[None]:
         await scene.start()
         yield
         await scene.stop()
@@ -58,7 +58,7 @@ def serve(**options: Any) -> Iterator[Served]:
     app = FastAPI(lifespan=lifespan)
     app.include_router(scene.router)
     app.add_api_route("/", lambda: HTMLResponse("<title>console</title>"), response_class=HTMLResponse)
-    guarded = Guard(app, Auth(Settings(), b"test"))
+    guarded = Guard(app, Auth(load_settings(), b"test"))
     config = uvicorn.Config(
         guarded, port=0, log_level="warning", ws_per_message_deflate=False, timeout_graceful_shutdown=2
     )

@@ -5,7 +5,7 @@ import pytest
 
 from server.scene import mesh
 from server.scene.model import hull_radius_at, joint_angle, myring_radius, parts_of, spin_step
-from twin.vehicle import Vehicle, load_vehicle
+from twin.vehicle import Fin, MyringHull, Vehicle, load_vehicle
 
 
 @pytest.fixture(scope="module")
@@ -16,6 +16,7 @@ def ts100() -> Vehicle:
 def test_hull_radius_at_known_stations(ts100: Vehicle) -> None:
     """Nose tip, end of nose, mid-body and end of tail have the radii the Myring form prescribes."""
     hull = ts100.hull
+    assert isinstance(hull, MyringHull)
     nose, middle = hull.nose_length_m, hull.middle_length_m
     stations = [0.0, nose / 2, nose, nose + middle / 2, nose + middle]
     ellipse = 0.5 * hull.diameter_m * (1 - 0.25) ** (1 / hull.nose_exponent)
@@ -27,6 +28,7 @@ def test_hull_radius_at_known_stations(ts100: Vehicle) -> None:
 
 def test_hull_mesh_spans_the_vehicle(ts100: Vehicle) -> None:
     """The mesh runs from nose to tail in body axes and is as thick as the file says."""
+    assert isinstance(ts100.hull, MyringHull)
     hull = next(p for p in parts_of(ts100) if p.role == "hull")
     low, high = hull.mesh[0].min(axis=0), hull.mesh[0].max(axis=0)
     assert high[0] == pytest.approx(ts100.hull.nose_to_origin_m)
@@ -45,6 +47,7 @@ def test_positive_deflection_turns_leading_edge_towards_lift(ts100: Vehicle) -> 
     """In forward flow a fin lifts to the side its leading edge turns to: the same sign as the plant's."""
     for part in parts_of(ts100):
         if part.role == "fin":
+            assert part.axis is not None
             rotation = mesh.turn(part.axis, joint_angle(10.0))
             leading = rotation @ [1.0, 0.0, 0.0]
             lift = np.asarray(ts100.actuators[part.actuator].direction)
@@ -54,8 +57,8 @@ def test_positive_deflection_turns_leading_edge_towards_lift(ts100: Vehicle) -> 
 def test_fin_stands_on_its_stock(ts100: Vehicle) -> None:
     """Lift acts at the arm of the file: the blade reaches equally far inside and outside of it."""
     for part in parts_of(ts100):
-        if part.role == "fin":
-            fin = ts100.actuators[part.actuator]
+        fin = ts100.actuators[part.actuator]
+        if part.role == "fin" and isinstance(fin, Fin):
             radial = np.array([0.0, fin.position_m[1], fin.position_m[2]]) / fin.arm_m
             reach = (part.mesh[0] + np.asarray(part.position)) @ radial
             assert reach.max() == pytest.approx(fin.arm_m + fin.span_m / 2, rel=1e-5)
@@ -65,7 +68,7 @@ def test_screws_turn_with_their_shaft(ts100: Vehicle) -> None:
     """Direction follows the sign of the speed and the hand of the screw; a stopped shaft stands still."""
     assert spin_step(120.0, 0.05) > 0.0 > spin_step(-120.0, 0.05)
     assert spin_step(0.0, 0.05) == 0.0
-    axes = {p.name: p.axis for p in parts_of(ts100) if p.role == "propeller"}
+    axes = {p.name: p.axis or (0.0, 0.0, 0.0) for p in parts_of(ts100) if p.role == "propeller"}
     assert axes["n_v1"][2] == pytest.approx(1.0)
     assert axes["n_v2"][2] == pytest.approx(-1.0)
 

@@ -8,11 +8,12 @@ import pytest
 import viser
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import connect
+from websockets.typing import Subprotocol
 
 from server.scene.page import POLICY, page_html
 from tests.scene.harness import Served, serve
 
-PROTOCOL = f"viser-v{viser.__version__}"
+PROTOCOL = Subprotocol(f"viser-v{viser.__version__}")
 
 
 @pytest.fixture(scope="module")
@@ -83,7 +84,9 @@ def test_the_page_carries_its_policy(served: Served) -> None:
 def test_camera_presets_need_our_own_page(served: Served) -> None:
     """A foreign page cannot move the operator's camera; an unknown view is named as such."""
     cookie, url = _session(served), f"{served.origin}/api/scene/camera"
-    foreign = httpx.post(url, json={"view": "top"}, headers={"Cookie": cookie, "Origin": "http://evil.example"})
+    foreign = httpx.post(
+        url, json={"view": "top"}, headers={"Cookie": cookie, "Origin": "http://evil.example"}
+    )
     assert foreign.status_code == 403
     own = {"Cookie": cookie, "Origin": served.origin}
     assert httpx.post(url, json={"view": "top"}, headers=own).json() == {"view": "top", "viewers": 0}
