@@ -19,6 +19,9 @@ if TYPE_CHECKING:
     from twin.vehicle import Vehicle
 
 
+MOST_PROBLEMS = 100  # more tell nobody anything
+
+
 def read_mission(text: str, source: str, vehicle: "Vehicle | None", any_vehicle: bool = False) -> Mission:
     """See twin.mission.parse_mission."""
     document = Document(text, source)
@@ -28,7 +31,8 @@ def read_mission(text: str, source: str, vehicle: "Vehicle | None", any_vehicle:
     if mission is not None:
         check_rules(document, mission, vehicle, any_vehicle)
     if document.problems or mission is None:
-        raise MissionError(sorted(document.problems, key=lambda p: (p.line or 0, p.column or 0)))
+        ordered = sorted(document.problems, key=lambda p: (p.line or 0, p.column or 0))
+        raise MissionError(ordered[:MOST_PROBLEMS])
     return mission
 
 

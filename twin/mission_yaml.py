@@ -1,6 +1,7 @@
 """YAML as a tree of nodes that know their place, so that every complaint can name line and column."""
 
 import io
+import re
 from typing import Any
 
 from ruamel.yaml import YAML
@@ -9,8 +10,9 @@ from ruamel.yaml.nodes import MappingNode, Node, ScalarNode, SequenceNode
 
 from twin.problems import Problem
 
-LARGEST_FILE = 65_536  # characters; a mission is a page of text
+LARGEST_FILE = 32_768  # characters; a mission is a page of text
 _DEEPEST = 6
+_DEEPEST_FLOW = 50  # brackets and indicators in a row that cost the YAML scanner more than linear time
 
 
 class Document:
@@ -25,6 +27,9 @@ class Document:
     def _compose(self, text: str) -> Node | None:
         if len(text) > LARGEST_FILE:
             self.refuse("", None, f"the file is longer than {LARGEST_FILE} characters")
+            return None
+        if _open_brackets(text) > _DEEPEST_FLOW:
+            self.refuse("", None, "is nested too deeply")
             return None
         try:
             root = YAML(typ="rt", pure=True).compose(io.StringIO(text))
@@ -102,6 +107,18 @@ class Document:
                 self.note(f"{path}[{i}]", item)
             return [self.plain(item, f"{path}[{i}]") for i, item in enumerate(node.value)]
         return scalar(node)
+
+
+def _open_brackets(text: str) -> int:
+    """How deep brackets nest at most; strings and comments are not told apart, the limit is generous."""
+    deepest = depth = 0
+    for mark in re.findall(r"[\[\]{}]|(?:[-?] ){2,}", text):
+        if len(mark) > 1:
+            deepest = max(deepest, len(mark) // 2)
+            continue
+        depth = depth + 1 if mark in "[{" else max(depth - 1, 0)
+        deepest = max(deepest, depth)
+    return deepest
 
 
 def scalar(node: Node) -> Any:

@@ -20,7 +20,6 @@ from twin.parameters import (
 )
 from twin.vehicle import Vehicle, load_vehicle, vehicle_names
 
-
 TS100 = load_vehicle("ts100")
 
 
