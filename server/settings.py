@@ -29,29 +29,39 @@ class Settings(BaseSettings):
 
     model_config = SettingsConfigDict(env_prefix=PREFIX, extra="forbid", frozen=True, env_ignore_empty=True)
 
-    host: str = Field("127.0.0.1", description="address to serve on; only loopback is open without a token")
-    port: int = Field(8080, ge=0, le=65535, description="port to serve on; 0 takes a free one")
-    data_dir: Path = Field(Path("data"), description="runs, uploaded missions and presets")
-    vehicle: str = Field("ts100", description="vehicle id, or the path of a vehicle file (.toml)")
-    manage_node: bool = Field(True, description="start the vehicle node, and again when it dies")
+    host: str = Field(
+        default="127.0.0.1", description="address to serve on; only loopback is open without a token"
+    )
+    port: int = Field(default=8080, ge=0, le=65535, description="port to serve on; 0 takes a free one")
+    data_dir: Path = Field(default=Path("data"), description="runs, uploaded missions and presets")
+    vehicle: str = Field(default="ts100", description="vehicle id, or the path of a vehicle file (.toml)")
+    manage_node: bool = Field(default=True, description="start the vehicle node, and again when it dies")
     node_command: Command = Field(
-        (), description="program to start as the vehicle node instead of this package's own"
+        default=(), description="program to start as the vehicle node instead of this package's own"
     )
     zenoh_listen: Names = Field(
-        ("tcp/127.0.0.1:7447",), description="endpoints where the server's bus session listens"
+        default=("tcp/127.0.0.1:7447",), description="endpoints where the server's bus session listens"
     )
-    zenoh_connect: Names = Field((), description="endpoints the server's bus session connects to")
+    zenoh_connect: Names = Field(default=(), description="endpoints the server's bus session connects to")
     scene: Literal["full", "light", "off"] = Field(
-        "full", description="the 3-D scene; light draws fewer polygons for machines without a GPU"
+        default="full", description="the 3-D scene; light draws fewer polygons for machines without a GPU"
     )
-    token: SecretStr | None = Field(None, description="shared secret a browser must give once, see README")
+    token: SecretStr | None = Field(
+        default=None, description="shared secret a browser must give once, see README"
+    )
     allowed_hosts: Names = Field(
-        (), description="further host names the console is reached by, such as a reverse proxy's"
+        default=(), description="further host names the console is reached by, such as a reverse proxy's"
     )
-    command_timeout_s: float = Field(5.0, gt=0, le=60, description="how long a vehicle may take to answer")
-    recorder_queue_messages: int = Field(20_000, ge=1, description="messages that may wait for the disk")
-    recorder_queue_bytes: int = Field(64_000_000, ge=1, description="bytes that may wait for the disk")
-    upload_bytes: int = Field(1_000_000, ge=1, description="largest mission file or preset accepted")
+    command_timeout_s: float = Field(
+        default=5.0, gt=0, le=60, description="how long a vehicle may take to answer"
+    )
+    recorder_queue_messages: int = Field(
+        default=20_000, ge=1, description="messages that may wait for the disk"
+    )
+    recorder_queue_bytes: int = Field(
+        default=64_000_000, ge=1, description="bytes that may wait for the disk"
+    )
+    upload_bytes: int = Field(default=1_000_000, ge=1, description="largest mission file or preset accepted")
 
     @field_validator("zenoh_listen", "zenoh_connect", "allowed_hosts", mode="before")
     @classmethod
