@@ -23,15 +23,24 @@ run: $(DONE)/compiled console  ## install what is missing, start server and vehi
 test: $(DONE)/compiled $(DONE)/dev console chromium  ## the whole suite, browser included (ARGS="-k docking")
 	@$(BIN)/pytest $(ARGS)
 
-check: $(DONE)/dev $(DONE)/project  ## lint, types, import rules, generated files, containers, leaks
-	$(BIN)/ruff check .
-	$(BIN)/ruff format --check .
+check: check-style check-imports check-types check-console check-containers check-gen check-leaks  ## lint, types, import rules, generated files, containers, leaks
+
+check-style: $(DONE)/dev
+	$(BIN)/ruff check --quiet .
+	$(BIN)/ruff format --quiet --check .
+
+check-imports: $(DONE)/dev $(DONE)/project
 	$(BIN)/lint-imports --no-logo
+
+check-types: $(DONE)/dev $(DONE)/project
 	$(BIN)/pyright
+
+check-console: $(DONE)/build
 	$(NPM) console_web run check --silent
+
+check-containers: $(DONE)/dev
 	$(BIN)/hadolint Dockerfile
 	$(NPM) .ci exec --offline -- dclint --max-warnings 0 ../docker-compose.yml
-	@$(MAKE) --no-print-directory check-gen check-leaks
 
 check-gen: $(DONE)/dev
 	@before=$$(cat $(GENERATED) | cksum) && $(MAKE) --no-print-directory gen && \
@@ -111,4 +120,5 @@ $(DONE)/compiled: $(DONE)/project $(TWIN)
 	@$(PY) -m twin.warm_up missions/docking.yaml
 	@touch $@
 
-.PHONY: help run test check check-gen check-leaks gen bench format console chromium lock clean
+.PHONY: help run test check check-style check-imports check-types check-console check-containers check-gen \
+	check-leaks gen bench format console chromium lock clean
