@@ -1,0 +1,42 @@
+"""Runs made up cycle by cycle, so that every figure can be worked out by hand."""
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+
+from twin.metrics import Run
+from twin.vehicle import Vehicle, load_vehicle
+
+N_U = 7
+
+
+@pytest.fixture(scope="session")
+def ts100() -> Vehicle:
+    """Four fins (15 deg), one propeller and two verticals (200 rpm), 20 Hz."""
+    return load_vehicle("ts100")
+
+
+def quiet(n: int, **columns: Any) -> Run:
+    """n cycles in F in which nothing happens, with some columns replaced."""
+    base: dict[str, Any] = {
+        "time": 0.05 * np.arange(n),
+        "cycle": np.arange(100, 100 + n),
+        "mode": np.zeros(n, np.int64),
+        "kappa": np.ones(n),
+        "range": np.linspace(10.0, 1.0, n),
+        "depth": np.full(n, 2.0),
+        "status": np.ones(n, np.int64),
+        "solve_time": np.full(n, 20e-6),
+    }
+    base |= {name: np.zeros((n, 6)) for name in ("eta_hat", "nu_hat", "tau_d", "tau_plus", "tau_minus")}
+    base |= {name: np.zeros((n, 6)) for name in ("tau_c", "tau")}
+    base |= {"u": np.zeros((n, N_U)), "du_max": np.full((n, N_U), 0.02)}
+    return Run(**(base | columns))
+
+
+@pytest.fixture
+def make_run() -> Callable[..., Run]:
+    """See `quiet`."""
+    return quiet
