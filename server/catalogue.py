@@ -14,7 +14,7 @@ from dataclasses import asdict, dataclass, fields, replace
 from pathlib import Path
 from typing import Any
 
-from server.run_metrics import metrics_of_file
+from server.run_file import figures_of
 from server.run_summary import CUT_OFF, RunSummary, is_whole, summarise
 from twin.metrics import as_dict
 
@@ -96,7 +96,7 @@ class Catalogue:
         found = path.stat()
         summary = summarise(path)
         if summary.metrics is None and summary.end_reason == CUT_OFF:
-            figures = metrics_of_file(path, summary.run_id)
+            figures = figures_of(path, summary.run_id)
             summary = replace(summary, metrics=as_dict(figures) if figures is not None else None)
         values = asdict(summary) | {"bytes": found.st_size, "modified_ns": found.st_mtime_ns}
         values["metrics"] = json.dumps(summary.metrics) if summary.metrics is not None else None

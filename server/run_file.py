@@ -2,6 +2,7 @@
 
 import contextlib
 import json
+import logging
 import time
 from pathlib import Path
 
@@ -13,6 +14,8 @@ from server.run_summary import METRICS_ATTACHMENT
 from server.sample import Sample, stamp_of
 from twin.contract import bumpless_pb2 as pb
 from twin.metrics import as_dict
+
+log = logging.getLogger(__name__)
 
 
 def free_id(folder: Path, run_id: str) -> str:
@@ -68,7 +71,7 @@ class RunFile:
         metrics = None
         try:
             self.flush()
-            metrics = metrics_of_file(self.path, self.run_id)
+            metrics = figures_of(self.path, self.run_id)
             if metrics is not None:
                 text = json.dumps(as_dict(metrics), indent=1)
                 self._writer.attach(METRICS_ATTACHMENT, "application/json", text.encode())
@@ -104,6 +107,15 @@ class RunFile:
         else:
             return
         self._attached.add(sample.topic)
+
+
+def figures_of(path: Path, run_id: str) -> pb.Metrics | None:
+    """The run's metrics from its file; None without. A run is worth keeping without its figures."""
+    try:
+        return metrics_of_file(path, run_id)
+    except Exception:
+        log.exception("the metrics of %s could not be computed", path)
+        return None
 
 
 def _is_other_plan(sample: Sample, status: pb.MissionStatus) -> bool:

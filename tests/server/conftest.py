@@ -42,5 +42,5 @@ def importable(monkeypatch: pytest.MonkeyPatch) -> None:
 def running(make_settings: Callable[..., Settings]) -> Iterator[Running]:
     """A server with a fake vehicle that is alive."""
     with serving(make_settings()) as server:
-        server.until(lambda: server.console.state.latest("parameters"))
+        server.until(lambda: server.console.state.latest("health"))  # the last of what it says of itself
         yield server

@@ -6,6 +6,7 @@ import httpx
 import pytest
 from websockets.exceptions import InvalidStatus
 from websockets.sync.client import connect
+from websockets.typing import Origin
 
 from server.settings import Settings
 from tests.server.serving import Running, serving
@@ -32,8 +33,8 @@ def test_a_foreign_page_can_listen_to_nothing(running: Running, path: str) -> No
     """WebSockets know no same-origin rule of their own."""
     with (
         pytest.raises(InvalidStatus) as caught,
-        connect(f"ws://127.0.0.1:{running.port}{path}", origin="http://evil.example"),
-    ):  # type: ignore[arg-type]
+        connect(f"ws://127.0.0.1:{running.port}{path}", origin=Origin("http://evil.example")),
+    ):
         pass
     assert caught.value.response.status_code == 403
 
@@ -47,9 +48,9 @@ def test_the_page_hands_out_the_session_that_its_stream_needs(running: Running) 
     assert "set-cookie" not in running.http.get("/").headers
     headers = {"cookie": cookie.split(";")[0]}
     url = f"ws://127.0.0.1:{running.port}/api/stream"
-    with connect(url, origin=running.url, additional_headers=headers) as socket:  # type: ignore[arg-type]
+    with connect(url, origin=Origin(running.url), additional_headers=headers) as socket:
         assert socket.recv()
-    with pytest.raises(InvalidStatus), connect(url, origin=running.url):  # type: ignore[arg-type]
+    with pytest.raises(InvalidStatus), connect(url, origin=Origin(running.url)):
         pass
 
 

@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 from server import run_file
+from server.log_read import log_messages
 from server.mcap_log import LogWriter
 from server.recorder import Recorder
 from server.run_summary import summarise
@@ -107,11 +108,9 @@ def test_cycles_around_begin_and_end_belong_to_the_run_by_their_number(tmp_path:
     disk.recorder.offer(sample("navigation", 11))
     disk.recorder.offer(sample("navigation", 12))
     disk.finished()
-    from server.run_reader import messages
-
     cycles = [
-        pb.Navigation.FromString(payload).stamp.cycle
-        for _, payload in messages(disk.closed[0], frozenset({"tlm/navigation"}))
+        pb.Navigation.FromString(record.data).stamp.cycle
+        for _, record in log_messages(disk.closed[0], {"tlm/navigation"})
     ]
     assert cycles == [9, 10, 11]
 

@@ -11,7 +11,7 @@ from pathlib import Path
 from mcap.reader import make_reader
 from mcap_protobuf.decoder import DecoderFactory
 
-from server.run_reader import messages
+from server.log_read import log_messages
 from server.run_summary import is_whole
 from server.settings import Settings
 from tests.server.serving import Running, serving
@@ -54,11 +54,11 @@ def test_a_run_holds_each_of_its_messages_with_the_bytes_of_the_bus(
         if of == run and topic in (*PER_CYCLE, "event") and int(cycle) <= ended
     )
     kept = Counter(
-        (topic, hashlib.sha256(payload).hexdigest())
-        for topic, payload in messages(path, frozenset({*PER_CYCLE, "event"}))
+        (topic, hashlib.sha256(record.data).hexdigest())
+        for topic, record in log_messages(path, {*PER_CYCLE, "event"})
     )
     assert spoken == kept and sum(kept.values()) > 40
-    last = [pb.MissionStatus.FromString(p) for _, p in messages(path, frozenset({"tlm/mission"}))][-1]
+    last = [pb.MissionStatus.FromString(r.data) for _, r in log_messages(path, {"tlm/mission"})][-1]
     assert last.phase == pb.MISSION_PHASE_COMPLETED
 
 
@@ -98,7 +98,7 @@ def test_a_run_can_be_downloaded_while_it_is_recorded(running: Running) -> None:
     assert len(content) >= first
     copy = running.console.data.root / "copy.mcap"
     copy.write_bytes(content)
-    assert sum(1 for _ in messages(copy, frozenset({"tlm/navigation"}))) > 0
+    assert sum(1 for _ in log_messages(copy, {"tlm/navigation"})) > 0
     listed = running.http.get("/api/runs").json()[0]
     assert (listed["id"], listed["state"]) == (run, "recording")
     assert running.http.get(f"/api/runs/{run}").json()["bytes"] > 0

@@ -100,7 +100,7 @@ def test_a_new_browser_gets_the_last_value_of_every_topic_as_the_bus_said_it(run
     )
     before = {s.topic: s for s in state.samples()}
     with connect(f"ws://127.0.0.1:{running.port}/api/stream") as browser:
-        first = pb.StreamFrame.FromString(browser.recv(timeout=PATIENCE_S))  # type: ignore[arg-type]
+        first = pb.StreamFrame.FromString(browser.recv(timeout=PATIENCE_S, decode=False))
         got = {m.topic: m for m in first.messages}
         assert before.keys() <= got.keys()
         assert got["tlm/description"].schema == "bumpless.VehicleDescription"
@@ -139,7 +139,7 @@ def test_a_frozen_browser_makes_nothing_grow_and_nobody_wait(running: Running) -
             running.until(lambda last=last: console.state.sample("tlm/filler") is last)
         newest = 0
         while newest < last.receive_ns:
-            frame = pb.StreamFrame.FromString(browser.recv(timeout=PATIENCE_S))  # type: ignore[arg-type]
+            frame = pb.StreamFrame.FromString(browser.recv(timeout=PATIENCE_S, decode=False))
             newest = max([newest, *(m.receive_time_ns for m in frame.messages if m.topic == "tlm/filler")])
         assert process.memory_info().rss - before < 60_000_000
         assert running.http.get("/api/health").status_code == 200
