@@ -28,10 +28,13 @@ from twin.allocation.qp_handle import (
     SOLVER,
     new_handle,
 )
-from twin.allocation.qp_memory import carray, stack_ints
+from twin.allocation.qp_memory import carray, stack_floats, stack_ints
 from twin.allocation.qp_status import FALLBACK, SOLVED
 from twin.compiled import jit
 from twin.records import MAX_ACTUATORS
+
+_N = MAX_ACTUATORS
+_NN = _N * _N
 
 SOLVERS = ("osqp", "active_set", "daqp")
 
@@ -108,14 +111,7 @@ def start(handle, H, g, lb, ub, x, n, state):
 
 
 @jit
-def solve_box_qp(handle, H, g, lb, ub, x, n):
-    """Minimise 1/2 x'Hx + g'x over lb <= x <= ub; return a status of `qp_status`.
-
-    H (>=n, >=n) symmetric positive definite, g, lb, ub, x (>=n) float64, n <= MAX_ACTUATORS;
-    entries beyond n are ignored. x is the start (any values) and the answer: inside its bounds and
-    never NaN, whatever the status. Bounds may be equal or infinite. Never raises. Every solver's
-    answer is finished by the exact active set, so all give the same optimum.
-    """
+def _solve(handle, H, g, lb, ub, x, n):
     handle[FIRST_ORDER] = 0
     if handle[SOLVER] == ACTIVE_SET:
         status, rounds = solve_active_set(H, g, lb, ub, x, n)
@@ -125,7 +121,7 @@ def solve_box_qp(handle, H, g, lb, ub, x, n):
     status = admit(H, g, lb, ub, x, n)
     if status != SOLVED:
         return status
-    state = carray(stack_ints(MAX_ACTUATORS), (MAX_ACTUATORS,))
+    state = carray(stack_ints(_N), (_N,))
     iterations = start(handle, H, g, lb, ub, x, n, state)
     if iterations < 0:
         status, rounds = solve_active_set(H, g, lb, ub, x, n)
@@ -134,4 +130,27 @@ def solve_box_qp(handle, H, g, lb, ub, x, n):
     status, rounds = finish(H, g, lb, ub, x, state, n)
     handle[FIRST_ORDER] = iterations
     handle[ITERATIONS] = iterations + rounds
+    return status
+
+
+@jit
+def solve_box_qp(handle, H, g, lb, ub, x, n):
+    """Minimise 1/2 x'Hx + g'x over lb <= x <= ub; return a status of `qp_status`.
+
+    H (>=n, >=n) symmetric positive definite, g, lb, ub, x (>=n) float64, n <= MAX_ACTUATORS;
+    entries beyond n are ignored. x is the start (any values) and the answer: inside its bounds and
+    never NaN, whatever the status. Bounds may be equal or infinite. Never raises. Every solver's
+    answer is finished by the exact active set, so all give the same optimum.
+    """
+    # copies of one memory layout: whatever arrays the callers have, the solvers are compiled once
+    A = carray(stack_floats(_NN), (_N, _N))
+    b, lower = carray(stack_floats(_N), (_N,)), carray(stack_floats(_N), (_N,))
+    upper, y = carray(stack_floats(_N), (_N,)), carray(stack_floats(_N), (_N,))
+    for i in range(n):
+        b[i], lower[i], upper[i], y[i] = g[i], lb[i], ub[i], x[i]
+        for j in range(n):
+            A[i, j] = H[i, j]
+    status = _solve(handle, A, b, lower, upper, y, np.int64(n))
+    for i in range(n):
+        x[i] = y[i]
     return status
