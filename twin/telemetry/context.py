@@ -2,7 +2,10 @@
 
 import math
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import TYPE_CHECKING
+
+from twin.contract import bumpless_pb2 as pb
 
 if TYPE_CHECKING:
     from twin.parameters import Parameters, SupervisorParameters
@@ -35,6 +38,28 @@ class Context:
     supervisor: "SupervisorParameters"
     solver: str
     start_time_ns: int = 0  # UNIX time of mission time 0, for rows that carry no time of their own
+
+    @cached_property
+    def nameplates(self) -> pb.Actuators:
+        """What never changes about the actuators, to be merged into each message."""
+        return pb.Actuators(
+            actuators=[
+                pb.Actuator(name=a.name, unit=a.unit, amplitude_lower=a.lower, amplitude_upper=a.upper)
+                for a in self.actuators
+            ]
+        )
+
+    @cached_property
+    def thresholds(self) -> pb.Supervisor:
+        """The supervisor's thresholds, to be merged into each message."""
+        s = self.supervisor
+        return pb.Supervisor(
+            range_rh_lower_m=s.range_rh_lower_m,
+            range_rh_upper_m=s.range_rh_upper_m,
+            range_fr_lower_m=s.range_fr_lower_m,
+            range_fr_upper_m=s.range_fr_upper_m,
+            range_hf_upper_m=s.range_hf_upper_m,
+        )
 
     def with_parameters(self, parameters: "Parameters") -> "Context":
         """The same vehicle flying with other parameters."""

@@ -74,46 +74,39 @@ def messages(
     ]
 
 
-def _vector(v: Sequence[float], scale: float = 1.0) -> pb.Vector3:
-    return pb.Vector3(x=v[0] * scale, y=v[1] * scale, z=v[2] * scale)
+def _vector(out: pb.Vector3, v: Sequence[float], scale: float = 1.0) -> None:
+    out.x, out.y, out.z = v[0] * scale, v[1] * scale, v[2] * scale
 
 
-def _attitude(v: Sequence[float]) -> pb.Attitude:
-    return pb.Attitude(roll_deg=v[0] * _DEG, pitch_deg=v[1] * _DEG, yaw_deg=v[2] * _DEG)
+def _attitude(out: pb.Attitude, v: Sequence[float]) -> None:
+    out.roll_deg, out.pitch_deg, out.yaw_deg = v[0] * _DEG, v[1] * _DEG, v[2] * _DEG
 
 
-def _wrench(v: Sequence[float]) -> pb.Wrench:
-    return pb.Wrench(x_n=v[0], y_n=v[1], z_n=v[2], k_nm=v[3], m_nm=v[4], n_nm=v[5])
+def _wrench(out: pb.Wrench, v: Sequence[float]) -> None:
+    out.x_n, out.y_n, out.z_n, out.k_nm, out.m_nm, out.n_nm = v
 
 
 def _navigation(r: _Row, stamp: pb.Stamp) -> pb.Navigation:
     eta, nu = r.all("eta_hat"), r.all("nu_hat")
-    return pb.Navigation(
-        stamp=stamp,
-        position_ned_m=_vector(eta),
-        attitude=_attitude(eta[3:]),
-        velocity_body_mps=_vector(nu),
-        velocity_through_water_body_mps=_vector(r.all("nu_r_hat")),
-        angular_rate_body_degps=_vector(nu[3:], _DEG),
-        depth_m=r.one("depth"),
-        speed_over_ground_mps=math.hypot(nu[0], nu[1], nu[2]),
-        current_estimate_ned_mps=_vector(r.all("current_hat")),
-    )
+    out = pb.Navigation(stamp=stamp, depth_m=r.one("depth"))
+    _vector(out.position_ned_m, eta)
+    _attitude(out.attitude, eta[3:])
+    _vector(out.velocity_body_mps, nu)
+    _vector(out.velocity_through_water_body_mps, r.all("nu_r_hat"))
+    _vector(out.angular_rate_body_degps, nu[3:], _DEG)
+    out.speed_over_ground_mps = math.hypot(nu[0], nu[1], nu[2])
+    _vector(out.current_estimate_ned_mps, r.all("current_hat"))
+    return out
 
 
 def _guidance(r: _Row, stamp: pb.Stamp) -> pb.Guidance:
-    u, v, z, *attitude = r.all("reference")
-    return pb.Guidance(
-        stamp=stamp,
-        surge_speed_reference_mps=u,
-        sway_speed_reference_mps=v,
-        depth_reference_m=z,
-        attitude_reference=_attitude(attitude),
-        cross_track_error_m=r.one("cross_track"),
-        along_track_error_m=r.one("along_track"),
-        leg=max(0, int(r.one("leg"))),
-        leg_count=int(r.one("leg_count")),
-    )
+    reference = r.all("reference")
+    out = pb.Guidance(stamp=stamp, leg=max(0, int(r.one("leg"))), leg_count=int(r.one("leg_count")))
+    out.surge_speed_reference_mps, out.sway_speed_reference_mps, out.depth_reference_m = reference[:3]
+    _attitude(out.attitude_reference, reference[3:])
+    out.cross_track_error_m = r.one("cross_track")
+    out.along_track_error_m = r.one("along_track")
+    return out
 
 
 def _mode(value: float) -> pb.Mode:
@@ -122,70 +115,52 @@ def _mode(value: float) -> pb.Mode:
 
 
 def _supervisor(r: _Row, stamp: pb.Stamp, context: Context) -> pb.Supervisor:
-    thresholds = context.supervisor
-    return pb.Supervisor(
-        stamp=stamp,
-        mode=_mode(r.one("mode")),
-        previous_mode=_mode(r.one("previous_mode")),
-        range_m=r.one("range"),
-        detection_raw=bool(r.one("detected_raw")),
-        detection=bool(r.one("detected")),
-        kappa=r.one("kappa"),
-        time_in_mode_s=r.one("time_in_mode"),
-        dwell_remaining_s=r.one("dwell_remaining"),
-        range_rh_lower_m=thresholds.range_rh_lower_m,
-        range_rh_upper_m=thresholds.range_rh_upper_m,
-        range_fr_lower_m=thresholds.range_fr_lower_m,
-        range_fr_upper_m=thresholds.range_fr_upper_m,
-        range_hf_upper_m=thresholds.range_hf_upper_m,
-        phase=cast("pb.MissionPhase", int(r.one("phase"))),
-    )
+    out = pb.Supervisor(stamp=stamp)
+    out.MergeFrom(context.thresholds)
+    out.mode, out.previous_mode = _mode(r.one("mode")), _mode(r.one("previous_mode"))
+    out.range_m = r.one("range")
+    out.detection_raw, out.detection = bool(r.one("detected_raw")), bool(r.one("detected"))
+    out.kappa = r.one("kappa")
+    out.time_in_mode_s, out.dwell_remaining_s = r.one("time_in_mode"), r.one("dwell_remaining")
+    return out
 
 
 def _control(r: _Row, stamp: pb.Stamp) -> pb.Control:
     demanded, achieved = r.all("tau_d"), r.all("tau_c")
-    return pb.Control(
-        stamp=stamp,
-        demanded=_wrench(demanded),
-        demanded_raw=_wrench(r.all("tau_plus")),
-        achieved=_wrench(achieved),
-        residual=_wrench([d - a for d, a in zip(demanded, achieved, strict=True)]),
-        frozen=_wrench(r.all("tau_minus")),
-    )
+    out = pb.Control(stamp=stamp)
+    _wrench(out.demanded, demanded)
+    _wrench(out.demanded_raw, r.all("tau_plus"))
+    _wrench(out.achieved, achieved)
+    _wrench(out.residual, [d - a for d, a in zip(demanded, achieved, strict=True)])
+    return out
 
 
 def _actuators(r: _Row, stamp: pb.Stamp, context: Context) -> pb.Actuators:
+    out = pb.Actuators(stamp=stamp)
+    out.MergeFrom(context.nameplates)
     columns = zip(
-        context.actuators,
-        r.all("u"),
-        r.all("u_feedback"),
-        r.all("u_lower"),
-        r.all("u_upper"),
-        r.all("du_max"),
-        strict=False,
+        r.all("u"), r.all("u_feedback"), r.all("u_lower"), r.all("u_upper"), r.all("du_max"), strict=True
     )
-    return pb.Actuators(stamp=stamp, actuators=[_actuator(*column) for column in columns])
+    for said, a, numbers in zip(out.actuators, context.actuators, columns, strict=False):
+        _actuator(said, a, *(number * a.scale for number in numbers))
+    return out
 
 
 def _actuator(
-    a: ActuatorContext, u: float, feedback: float, lower: float, upper: float, du_max: float
-) -> pb.Actuator:
-    command, low, high, near = u * a.scale, lower * a.scale, upper * a.scale, a.tolerance
+    out: pb.Actuator,
+    a: ActuatorContext,
+    command: float,
+    feedback: float,
+    lower: float,
+    upper: float,
+    increment: float,
+) -> None:
+    near = a.tolerance
     saturated = command <= a.lower + near or command >= a.upper - near
-    bounded = high > low and (command <= low + near or command >= high - near)
-    return pb.Actuator(
-        name=a.name,
-        unit=a.unit,
-        command=command,
-        feedback=feedback * a.scale,
-        lower=low,
-        upper=high,
-        amplitude_lower=a.lower,
-        amplitude_upper=a.upper,
-        saturated=saturated,
-        rate_limited=bounded and not saturated,
-        increment_bound=du_max * a.scale,
-    )
+    bounded = upper > lower and (command <= lower + near or command >= upper - near)
+    out.command, out.feedback, out.lower, out.upper = command, feedback, lower, upper
+    out.saturated, out.rate_limited = saturated, bounded and not saturated
+    out.increment_bound = increment
 
 
 def _allocation(r: _Row, stamp: pb.Stamp, context: Context, actuators: pb.Actuators) -> pb.Allocation:
@@ -206,27 +181,22 @@ def _allocation(r: _Row, stamp: pb.Stamp, context: Context, actuators: pb.Actuat
 def _target(r: _Row, stamp: pb.Stamp) -> pb.Target:
     distance, bearing, elevation = r.all("target_measured")
     estimate = r.all("target")
-    return pb.Target(
-        stamp=stamp,
-        detected=bool(r.one("detected_raw")),
-        measured_range_m=distance,
-        bearing_deg=bearing * _DEG,
-        elevation_deg=elevation * _DEG,
-        position_ned_m=_vector(estimate),
-        heading_deg=estimate[3] * _DEG,
-        observation_point_ned_m=_vector(r.all("observation_point")),
-    )
+    out = pb.Target(stamp=stamp, detected=bool(r.one("detected_raw")))
+    out.measured_range_m = distance
+    out.bearing_deg, out.elevation_deg = bearing * _DEG, elevation * _DEG
+    _vector(out.position_ned_m, estimate)
+    out.heading_deg = estimate[3] * _DEG
+    _vector(out.observation_point_ned_m, r.all("observation_point"))
+    return out
 
 
 def _truth(r: _Row, stamp: pb.Stamp, n_u: int) -> pb.TruthState:
     eta, nu = r.all("eta"), r.all("nu")
-    return pb.TruthState(
-        stamp=stamp,
-        position_ned_m=_vector(eta),
-        attitude=_attitude(eta[3:]),
-        velocity_body_mps=_vector(nu),
-        angular_rate_body_degps=_vector(nu[3:], _DEG),
-        actuator_wrench=_wrench(r.all("tau")),
-        current_ned_mps=_vector(r.all("current")),
-        effectiveness=r.all("effectiveness")[:n_u],
-    )
+    out = pb.TruthState(stamp=stamp, effectiveness=r.all("effectiveness")[:n_u])
+    _vector(out.position_ned_m, eta)
+    _attitude(out.attitude, eta[3:])
+    _vector(out.velocity_body_mps, nu)
+    _vector(out.angular_rate_body_degps, nu[3:], _DEG)
+    _wrench(out.actuator_wrench, r.all("tau"))
+    _vector(out.current_ned_mps, r.all("current"))
+    return out
