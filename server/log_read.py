@@ -16,12 +16,15 @@ CUT = (McapError, CRCValidationError, struct.error, zstandard.ZstdError, Unicode
 def log_messages(path: Path, topics: Container[str]) -> Iterator[tuple[str, Message]]:
     """Messages of these topics as (topic, record); stops without complaint where the file was cut.
 
-    Raises McapError when the file is not MCAP at all.
+    Raises ValueError when not even the beginning of an MCAP file is there.
     """
     wanted: dict[int, str] = {}
     with path.open("rb") as file:
         records = iter(StreamReader(file, record_size_limit=path.stat().st_size).records)
-        next(records)  # the header: a file without one is not MCAP
+        try:
+            next(records)  # the header
+        except (StopIteration, *CUT) as error:
+            raise ValueError(f"not an MCAP file: {error}") from error
         while True:
             try:
                 record = next(records)

@@ -11,7 +11,7 @@ def metrics_of_file(path: Path, run_id: str) -> pb.Metrics | None:
     """Metrics of a log, also of one that is still being written (flush it first) or was cut.
 
     None when the file holds no cycle of a mission or no usable vehicle description.
-    Raises McapError when it is not MCAP.
+    Raises ValueError when it is not MCAP.
     """
     data = read_run(path)
     if data.vehicle is None or len(data.run) == 0:

@@ -12,16 +12,14 @@ def metrics(
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON.")] = False,
 ) -> None:
     """Compute the metrics of a recorded run."""
-    from mcap.exceptions import McapError
-
     from server.cli.tables import metrics_text
     from server.run_metrics import metrics_of_file
     from twin.metrics import as_dict
 
     try:
         found = metrics_of_file(log, log.stem)
-    except McapError as error:
-        typer.echo(f"{log}: is not an MCAP file: {error}", err=True)
+    except ValueError as error:
+        typer.echo(f"{log}: {error}", err=True)
         raise typer.Exit(1) from error
     if found is None:
         typer.echo(f"{log}: holds no cycle of a mission, or no description of its vehicle", err=True)
