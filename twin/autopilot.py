@@ -67,7 +67,7 @@ def believe_faults(settings, plan, a):
 @jit
 def allocate(handle, settings, model, a, w):
     """Commands of this cycle for a.tau_d, by the chosen allocator, and the wrench they achieve."""
-    started = monotonic()
+    started = monotonic()  # pyright: ignore[reportCallIssue]
     feasible = command_bounds(model, a.u, settings.dt, a.u_lower, a.u_upper, a.du_max)
     if settings.allocator == MDCA:
         allocate_mdca(handle, settings, model, a, w)
@@ -77,7 +77,7 @@ def allocate(handle, settings, model, a, w):
         allocate_direct(settings, model, a, w)
     if not feasible and a.status != REFUSED:
         a.status = INFEASIBLE
-    a.solve_time = monotonic() - started
+    a.solve_time = monotonic() - started  # pyright: ignore[reportCallIssue]
     total_wrench(model, a.u, a.effectiveness, a.nu_r, a.tau_c)
     a.saturated = any_active(model, a.u, a.u_lower, a.u_upper)
 

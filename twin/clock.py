@@ -1,20 +1,21 @@
 """The monotonic clock, readable from compiled code."""
 
 import sys
+from typing import Any
 
+from llvmlite import ir
 from numba import types
 from numba.core import cgutils
 from numba.extending import intrinsic
-from llvmlite import ir
 
 _CLOCK_MONOTONIC = 1 if sys.platform.startswith("linux") else 6
 
 
 @intrinsic
-def monotonic(typingctx):  # noqa: ANN001, ANN201  (numba's extension protocol)
+def monotonic(typingctx: Any) -> Any:
     """Seconds of the system's monotonic clock, as a float: `clock_gettime` of the C library."""
 
-    def codegen(context, builder, signature, args):  # noqa: ANN001, ANN202
+    def codegen(context, builder, signature, args):
         i64, i32 = ir.IntType(64), ir.IntType(32)
         spec = cgutils.alloca_once(builder, ir.ArrayType(i64, 2))
         function_type = ir.FunctionType(i32, [i32, spec.type])

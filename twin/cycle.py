@@ -5,7 +5,6 @@ Both call the same functions, so what is fast is also what flies.
 
 from math import hypot, nan
 
-from twin.actuators import total_wrench
 from twin.autopilot import autopilot_step, stop_actuators
 from twin.compiled import jit
 from twin.guidance import observation_point
@@ -59,7 +58,9 @@ def write_row(settings, plan, model, plant, m, a, phase, row, work):
 
 
 @jit
-def closed_loop(handle, settings, modes, sensors, plan, model, plant, m, a, w, phase, change, noise, row, work):
+def closed_loop(
+    handle, settings, modes, sensors, plan, model, plant, m, a, w, phase, change, noise, row, work
+):
     """One control cycle of plant and autopilot; fills `row`. Returns the phase after it.
 
     noise (N_NOISE,): this cycle's standard normal samples. While idle the plant is moored.

@@ -43,7 +43,11 @@ def damping_force(model, nu_r, out):
         lift_speed = abs(u) if i < 3 else u
         total = 0.0
         for j in range(6):
-            d = model.D_linear[i, j] + model.D_quadratic[i, j] * abs(nu_r[j]) + model.D_lift[i, j] * lift_speed
+            d = (
+                model.D_linear[i, j]
+                + model.D_quadratic[i, j] * abs(nu_r[j])
+                + model.D_lift[i, j] * lift_speed
+            )
             total += d * nu_r[j]
         out[i] -= total
 

@@ -6,7 +6,11 @@ import numpy as np
 
 INFO, WARNING, ALARM = 1, 2, 3  # Severity of the contract
 MODE_NAMES = ("forward", "reverse", "hover")
-_STATUS = {3: "bounds contradict each other", 4: "the QP solver failed; built-in active set used", 5: "demand refused"}
+_STATUS = {
+    3: "bounds contradict each other",
+    4: "the QP solver failed; built-in active set used",
+    5: "demand refused",
+}
 
 
 @dataclass(frozen=True)

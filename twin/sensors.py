@@ -49,7 +49,9 @@ def measure(sensors, plan, plant, cycle, noise, m):
         ned_to_body(plant.eta[3], plant.eta[4], plant.eta[5], plant.current, m.water_velocity)
         for k in range(3):
             m.velocity[k] = plant.nu[k] + s * sensors.dvl_std * noise[11 + k]
-            m.water_velocity[k] = plant.nu[k] - m.water_velocity[k] + s * sensors.dvl_water_std * noise[14 + k]
+            m.water_velocity[k] = (
+                plant.nu[k] - m.water_velocity[k] + s * sensors.dvl_water_std * noise[14 + k]
+            )
 
     m.fresh = 0
     if cycle % max(1, sensors.camera_period) == 0:

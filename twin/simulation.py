@@ -85,11 +85,26 @@ class Twin:
         self.events.add("mission_started", f"Mission {mission.name} started.", {"mission": mission.name})
 
     def pause(self) -> None:
-        """Hold station here until `resume`; the supervisor is frozen."""
+        """Brake, and hold station where the vehicle can stop until `resume`; the supervisor is frozen."""
         a = self._a[0]
-        a["hold_point"] = [a["eta"][0], a["eta"][1], a["eta"][2], a["eta"][5]]
+        ahead, psi = self._stopping_distance(float(a["nu"][0])), a["eta"][5]
+        a["hold_point"] = [
+            a["eta"][0] + ahead * np.cos(psi),
+            a["eta"][1] + ahead * np.sin(psi),
+            a["eta"][2],
+            psi,
+        ]
         a["holding"], self._change, self.phase = 1, 1, 3
         self.events.add("mission_paused", "Mission paused; holding station.", {})
+
+    def _stopping_distance(self, surge: float) -> float:
+        """Way from `surge` (m/s) to rest: half the ramp at this speed, then all reverse thrust, m."""
+        m, n = self._model, int(self._model["n_u"])
+        thrust = np.maximum(m["T_nn"], m["T_nn_reverse"])[:n] * m["command_min"][:n] ** 2
+        push = float(np.sum(thrust * np.abs(m["direction"][:n, 0]) * (m["kind"][:n] == records.THRUSTER)))
+        braking = max(push, 1e-3) / float(m["M_RB"][0, 0] + m["M_A"][0, 0])
+        ramp_s = self.parameters.hover.ramp_cycles * self.period_s
+        return surge * ramp_s / 2 + surge * abs(surge) / (2 * braking)
 
     def resume(self) -> None:
         """Go on with the mission."""

@@ -1,0 +1,33 @@
+"""Vehicles and flown missions that many tests of the twin look at; each is made once."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from twin.mission import Mission, parse_mission
+from twin.model import build_model
+from twin.simulation import Result, simulate
+from twin.vehicle import Vehicle, load_vehicle
+
+MISSIONS = Path(__file__).parents[2] / "missions"
+
+
+@pytest.fixture(scope="session")
+def ts100() -> Vehicle:
+    return load_vehicle("ts100")
+
+
+@pytest.fixture(scope="session")
+def model(ts100: Vehicle) -> np.record:
+    return build_model(ts100)
+
+
+@pytest.fixture(scope="session")
+def docking(ts100: Vehicle) -> Mission:
+    return parse_mission((MISSIONS / "docking.yaml").read_text(), "docking.yaml", ts100)
+
+
+@pytest.fixture(scope="session")
+def flight(docking: Mission, ts100: Vehicle) -> Result:
+    return simulate(docking, ts100)
