@@ -66,6 +66,7 @@ class Console:
         )
         self.indexed = threading.Event()  # set when the catalogue has seen every file
         self.started = False
+        self._stopping = False  # losing the node is then no alarm
         self._vehicle: tuple[str, Vehicle] | None = None
         self._stop = contextlib.ExitStack()
 
@@ -96,7 +97,7 @@ class Console:
 
     def stop(self) -> None:
         """End the managed node, close the file being written and leave the bus."""
-        self.started = False
+        self.started, self._stopping = False, True
         self._stop.close()
 
     def status(self) -> pb.ServerStatus:
@@ -152,7 +153,7 @@ class Console:
     def _on_link(self, link: pb.LinkState) -> None:
         log.info("link to %s: %s", self.state.vehicle_id, pb.LinkState.Name(link).removeprefix("LINK_STATE_"))
         self.supervisor.on_link(link)
-        if link == pb.LINK_STATE_LOST:
+        if link == pb.LINK_STATE_LOST and not self._stopping:
             self.recorder.link_lost()
             self.say(pb.SEVERITY_ALARM, "link_lost", f"The link to {self.state.vehicle_id} is lost", {})
 
@@ -180,4 +181,4 @@ class Console:
         try:
             self.bus.command("shutdown", pb.Empty(), timeout_s=1.5)
         except NoAnswer as error:
-            log.info("the node is ended by a signal: %s", error)
+            log.info("the node did not confirm its shutdown: %s", error)

@@ -4,7 +4,7 @@ The shape comes from the vehicle file that the vehicle itself sends. Arrows star
 one newton, and one newton metre, is drawn as 0.2 m.
 """
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
@@ -36,9 +36,13 @@ _ROLES = {
 
 
 class SceneViews:
-    """Fed with the bus's messages; answers with updates of `/scene`."""
+    """Fed with the bus's messages; answers with updates of `/scene`.
 
-    def __init__(self) -> None:
+    `ready` says whether the attainable sets may be computed now: their first computation compiles.
+    """
+
+    def __init__(self, ready: Callable[[], bool] = lambda: True) -> None:
+        self._ready = ready
         self._description = ""
         self._record: Any = None  # records.MODEL of the vehicle, for the envelopes
         self._surge_speed = 0.0
@@ -57,7 +61,8 @@ class SceneViews:
             entities = self._vehicle(message)
         elif isinstance(message, pb.Navigation):
             self._surge_speed = message.velocity_through_water_body_mps.x
-            if self._record is not None and now - self._envelope_ns >= ENVELOPE_PERIOD_NS:
+            due = self._record is not None and now - self._envelope_ns >= ENVELOPE_PERIOD_NS
+            if due and self._ready():
                 self._envelope_ns = now
                 entities = _envelopes(self._record, self._surge_speed)
         elif isinstance(message, pb.Control) and now - self._arrows_ns >= ARROW_PERIOD_NS:

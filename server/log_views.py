@@ -32,16 +32,19 @@ View = tuple[str, Message]
 
 
 class Views:
-    """Fed with every message of the bus in its order; answers with what follows from it."""
+    """Fed with every message of the bus in its order; answers with what follows from it.
 
-    def __init__(self) -> None:
+    `ready`: see `SceneViews`.
+    """
+
+    def __init__(self, ready: Callable[[], bool] = lambda: True) -> None:
         self._makers: dict[str, Callable[[Any], Iterator[View]]] = {
             "bumpless.Navigation": self._navigation,
             "bumpless.Plan": self._plan,
             "bumpless.Target": self._target,
             "bumpless.Event": self._event,
         }
-        self._scene = SceneViews()
+        self._scene = SceneViews(ready)
         self._track: list[Pose] = []
         self._track_step_ns = 500_000_000
         self._track_ns = self._track_sent_ns = 0

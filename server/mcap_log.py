@@ -9,7 +9,7 @@ a file its end back.
 import logging
 import os
 import time
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import cache
 from pathlib import Path
 from types import TracebackType
@@ -55,16 +55,23 @@ class LogWriter:
     """An MCAP file being written. Not thread-safe.
 
     `info` identifies the run (hashes of mission, vehicle, parameters, software) and is on the disk
-    before the first message. With `views` the Foxglove topics are written too.
+    before the first message. With `views` the Foxglove topics are written too; `ready` says when the
+    attainable sets among them may be computed, whose first computation takes seconds.
     """
 
-    def __init__(self, path: Path, info: Mapping[str, str], views: bool = True) -> None:
+    def __init__(
+        self,
+        path: Path,
+        info: Mapping[str, str],
+        views: bool = True,
+        ready: Callable[[], bool] = lambda: True,
+    ) -> None:
         self._file = path.open("wb")
         self._writer = Writer(self._file, chunk_size=_CHUNK_BYTES, compression=CompressionType.ZSTD)
         self._schemas: dict[str, int] = {}
         self._channels: dict[tuple[str, str], int] = {}
         self._sequence: dict[int, int] = {}
-        self._views = Views() if views else None
+        self._views = Views(ready) if views else None
         self._closed = False
         self._writer.start(profile="", library=LIBRARY)
         self.metadata(RUN_RECORD, info)

@@ -45,7 +45,39 @@ class MissionFile:
             "problems": [problem.as_dict() for problem in self.problems],
             "modified": datetime.fromtimestamp(self.path.stat().st_mtime, UTC).isoformat(timespec="seconds"),
         }
-        return told | {"yaml": self.text} if with_text else told
+        return told | {"yaml": self.text} | _plan(mission) if with_text else told
+
+
+def _plan(mission: Mission | None) -> dict[str, Any]:
+    """What a sketch of the plan needs; NED, metres, the start first."""
+    if mission is None:
+        return {}
+    target = mission.target
+    return {
+        "path_ned_m": mission.path_ned_m,
+        "target": {
+            "position_ned_m": target.position_ned_m,
+            "heading_deg": target.heading_deg,
+            "observation_point_ned_m": target.observation_point_ned_m,
+        },
+        "current_ned_mps": mission.environment.current_ned_mps,
+    }
+
+
+def _geometry(mission: Mission | None) -> dict[str, Any]:
+    """What a map shows of a mission before it is flown; NED, m, degrees, m/s."""
+    if mission is None:
+        return {}
+    target = mission.target
+    return {
+        "path_ned_m": [list(point) for point in mission.path_ned_m],
+        "target": {
+            "position_ned_m": list(target.position_ned_m),
+            "heading_deg": target.heading_deg,
+            "observation_point_ned_m": list(target.observation_point_ned_m),
+        },
+        "current_ned_mps": list(mission.environment.current_ned_mps),
+    }
 
 
 def builtin_folder() -> Path:

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from google.protobuf import json_format
 
+from server.envelopes_ready import envelopes_ready
 from server.mcap_log import LogWriter
 from server.run_metrics import metrics_of_file
 from server.run_summary import METRICS_ATTACHMENT
@@ -40,7 +41,8 @@ class RunFile:
         self.flushed_bytes = 0
         self.messages = 0
         self._attached: set[str] = set()
-        self._writer = LogWriter(self.path, _run_info(self.id, status, context, version))
+        info = _run_info(self.id, status, context, version)
+        self._writer = LogWriter(self.path, info, ready=envelopes_ready)
         try:
             began = status.stamp.time_ns - round(status.elapsed_s * 1e9)
             for sample in context.values():
