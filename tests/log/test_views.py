@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from google.protobuf.descriptor import Descriptor, FieldDescriptor
+from google.protobuf.descriptor import FieldDescriptor
 from mcap.reader import make_reader
 from mcap_protobuf.decoder import DecoderFactory
 from scipy.spatial.transform import Rotation
@@ -107,7 +107,7 @@ def paths_of(layout: dict[str, Any]) -> Iterator[str]:
         yield from (path["value"] for path in panel.get("paths", []))
 
 
-def field_at(kind: Descriptor, path: str) -> FieldDescriptor:
+def field_at(kind: Any, path: str) -> FieldDescriptor:
     name, _, rest = path.partition(".")
     field = kind.fields_by_name[name.partition("[")[0]]
     return field_at(field.message_type, rest) if rest else field

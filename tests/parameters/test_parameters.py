@@ -1,6 +1,7 @@
 """Parameters: read from the vehicle, overridden by a mission, checked, and carried over the bus."""
 
 from dataclasses import replace
+from typing import Any
 
 import pytest
 from hypothesis import given
@@ -163,7 +164,7 @@ def test_sections_a_message_leaves_out_stay(defaults: Parameters) -> None:
 
 def test_live_ranges_are_what_the_message_can_carry(defaults: Parameters) -> None:
     """The screen may offer exactly the numbers that the vehicle takes in flight."""
-    descriptor = pb.Parameters.DESCRIPTOR
+    descriptor: Any = pb.Parameters.DESCRIPTOR
     carried = {
         f"{section.name}.{field.name}"
         for section in descriptor.fields
