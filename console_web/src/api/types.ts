@@ -1,4 +1,5 @@
 // JSON that the server answers with. Names and units as in the HTTP contract.
+import type { Problem } from "./http";
 
 export interface VehicleInfo {
   id: string;
@@ -12,9 +13,12 @@ export interface MissionSummary {
   name: string;
   title?: string;
   summary?: string;
-  duration_s?: number;
+  duration_s?: number | null;
   sha256?: string;
   builtin?: boolean;
+  /** False: the stored file breaks a rule and cannot be started. */
+  valid?: boolean;
+  problems?: Problem[];
   modified?: string | number;
 }
 

@@ -72,7 +72,7 @@ function Vehicle() {
           <WarningIcon /> {String(health.missedCycles)} missed
         </span>
       )}
-      <span class="chip link" data-look={link.look} role="status" aria-label={`Link: ${link.label}`}>
+      <span class="chip link-chip" data-look={link.look} role="status" aria-label={`Link: ${link.label}`}>
         <Icon /> {link.label}
         {link.look !== "live" && seconds !== undefined && <span class="num"> {age(seconds)}</span>}
       </span>

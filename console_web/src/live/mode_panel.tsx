@@ -7,10 +7,11 @@ import { Empty, Panel } from "../ui/panel";
 import { HollowIcon, RecordIcon } from "../ui/icons";
 import { ModeStrip } from "./mode_strip";
 import { RangeGauge } from "./range_gauge";
+import { WindowChoice } from "./window_choice";
 
 export function ModePanel() {
   return (
-    <Panel title="Mode" topic="tlm/supervisor" class="mode-panel">
+    <Panel title="Mode" topic="tlm/supervisor" class="mode-panel" aside={<WindowChoice />}>
       <Content />
     </Panel>
   );

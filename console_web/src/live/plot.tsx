@@ -148,6 +148,7 @@ function shade(plot: uPlot): void {
   g.save();
   g.font = `700 ${9 * scale}px system-ui, sans-serif`;
   g.textBaseline = "top";
+  g.textAlign = "left";
   for (const { mode, start, end } of spans(min, max)) {
     if (mode === Mode.UNSPECIFIED) continue;
     const look = modeLook(mode);

@@ -5,7 +5,6 @@ import { live } from "../stream/store";
 import { Empty, Panel } from "../ui/panel";
 import { Plot } from "./plot";
 import { GROUPS, specsOf, type Group } from "./plots";
-import { setWindow, window_s, WINDOWS_S } from "./time_axis";
 
 export function PlotPanel() {
   const [group, setGroup] = useState<Group>("Motion");
@@ -15,36 +14,17 @@ export function PlotPanel() {
       topic="tlm/navigation"
       class="plot-panel"
       aside={
-        <>
-          <div class="segments" role="group" aria-label="Plot group">
-            {GROUPS.map((name) => (
-              <button key={name} type="button" aria-pressed={group === name} onClick={() => setGroup(name)}>
-                {name}
-              </button>
-            ))}
-          </div>
-          <WindowChoice />
-        </>
+        <div class="segments" role="group" aria-label="Plot group">
+          {GROUPS.map((name) => (
+            <button key={name} type="button" aria-pressed={group === name} onClick={() => setGroup(name)}>
+              {name}
+            </button>
+          ))}
+        </div>
       }
     >
       <Plots group={group} />
     </Panel>
-  );
-}
-
-function WindowChoice() {
-  useFrame();
-  return (
-    <select
-      class="small"
-      aria-label="Time window of plots and mode strip"
-      value={window_s()}
-      onChange={(event) => setWindow(Number(event.currentTarget.value))}
-    >
-      {WINDOWS_S.map((seconds) => (
-        <option key={seconds} value={seconds}>{seconds < 120 ? `${seconds} s` : `${seconds / 60} min`}</option>
-      ))}
-    </select>
   );
 }
 

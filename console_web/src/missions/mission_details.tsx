@@ -10,7 +10,7 @@ import { useFrame } from "../stream/frame";
 import { HoldButton } from "../ui/hold_button";
 import { PlayIcon, TrashIcon } from "../ui/icons";
 import { Empty, Panel } from "../ui/panel";
-import { RefusalNotice } from "../ui/refusal";
+import { ProblemTable, RefusalNotice } from "../ui/refusal";
 import { choose, commandState, startChosen } from "./commands";
 import { PlanSketch } from "./plan_sketch";
 import { YamlText } from "./yaml_text";
@@ -39,7 +39,7 @@ export function MissionDetails() {
   if (!detail) return <Panel title="Mission"><Empty>Choose a mission on the left to see its path and file.</Empty></Panel>;
   return (
     <div class="column">
-      <Panel title={detail.title || detail.name} class="mission-about" aside={<StartHere name={detail.name} />}>
+      <Panel title={detail.title || detail.name} class="mission-about" aside={<StartHere name={detail.name} valid={detail.valid !== false} />}>
         <div class="about">
           <div class="about-text">
             <p>{detail.summary || "No summary."}</p>
@@ -57,18 +57,19 @@ export function MissionDetails() {
         </div>
       </Panel>
       <Panel title="File" class="mission-file" aside={<span class="muted">read only</span>}>
+        {detail.problems && detail.problems.length > 0 && <ProblemTable problems={detail.problems} />}
         <YamlText text={detail.yaml} />
       </Panel>
     </div>
   );
 }
 
-function StartHere({ name }: { name: string }) {
+function StartHere({ name, valid }: { name: string; valid: boolean }) {
   useFrame();
   const phase = phaseNow();
   const look = linkNow().look;
-  const ready = look === "live" && !isFlying(phase) && phase !== MissionPhase.UNSPECIFIED;
-  const why = look !== "live" ? "No live vehicle" : isFlying(phase) ? `Vehicle is ${PHASES[phase].toLowerCase()}` : "";
+  const ready = valid && look === "live" && !isFlying(phase) && phase !== MissionPhase.UNSPECIFIED;
+  const why = !valid ? "The file breaks a rule" : look !== "live" ? "No live vehicle" : isFlying(phase) ? `Vehicle is ${PHASES[phase].toLowerCase()}` : "";
   return (
     <>
       {why && <span class="muted">{why}</span>}

@@ -6,7 +6,7 @@ import { clock } from "../lib/format";
 import { isFlying, phaseNow } from "../live/link_state";
 import { useFrame } from "../stream/frame";
 import { live } from "../stream/store";
-import { RecordIcon } from "../ui/icons";
+import { RecordIcon, WarningIcon } from "../ui/icons";
 import { Empty, Panel } from "../ui/panel";
 import { choose, commandState } from "./commands";
 import { MissionDetails } from "./mission_details";
@@ -49,11 +49,12 @@ function MissionRow({ mission, flying }: { mission: MissionSummary; flying: bool
         <span class="row-title">
           <b>{mission.title || mission.name}</b>
           {flying && <span class="chip" data-look="running"><RecordIcon size={9} /> flying</span>}
+          {mission.valid === false && <span class="chip" data-look="stale"><WarningIcon size={11} /> not valid</span>}
           {mission.builtin === false && <span class="tag">uploaded</span>}
         </span>
         <span class="row-text muted">
           <span class="code">{mission.name}</span>
-          {mission.duration_s !== undefined && <span class="num">{clock(mission.duration_s)}</span>}
+          {mission.duration_s != null && <span class="num">{clock(mission.duration_s)}</span>}
         </span>
       </button>
     </li>

@@ -5,6 +5,7 @@ import { missions } from "../api/resources";
 import { useRef, useState } from "preact/hooks";
 import { CheckIcon, UploadIcon } from "../ui/icons";
 import { ProblemTable, RefusalNotice } from "../ui/refusal";
+import type { MissionSummary } from "../api/types";
 import { choose } from "./commands";
 
 interface Upload {
@@ -19,11 +20,11 @@ const last = signal<Upload | undefined>(undefined);
 
 async function send(name: string, text: string, replace: boolean): Promise<void> {
   const query = `name=${encodeURIComponent(name)}${replace ? "&replace=1" : ""}`;
-  const answer = await request<unknown>("POST", `api/missions?${query}`, text);
+  const answer = await request<MissionSummary>("POST", `api/missions?${query}`, text);
   last.set(answer.ok ? { name, text } : { name, text, refusal: answer });
   if (!answer.ok) return;
   await missions.refresh();
-  choose(name);
+  choose(answer.value.name);
 }
 
 async function take(file: File | undefined): Promise<void> {

@@ -30,7 +30,7 @@ function useMetrics(run: RunSummary): { metrics?: Metrics; refusal?: Refusal } {
     return () => {
       current = false;
     };
-  }, [run.id, run.state, run.metrics !== undefined]);
+  }, [run.id, run.state, Boolean(run.metrics)]);
   return answer;
 }
 

@@ -74,7 +74,9 @@ export class LiveStore {
     const key = `${event.stamp?.timeNs}/${event.code}/${event.text}`;
     if (this.seen.has(key)) return;
     this.seen.add(key);
-    this.events = [event, ...this.events].slice(0, EVENTS_KEPT);
+    const at = event.stamp?.timeNs ?? 0n;
+    const place = this.events.findIndex((other) => (other.stamp?.timeNs ?? 0n) <= at);
+    this.events = this.events.toSpliced(place < 0 ? this.events.length : place, 0, event).slice(0, EVENTS_KEPT);
     if (this.seen.size > 4 * EVENTS_KEPT) this.seen.clear();
   }
 }

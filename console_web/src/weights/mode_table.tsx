@@ -59,7 +59,7 @@ export function ModeTable() {
           {block.rows.map((row, index) => (
             <tr key={row.key} class={index === 0 ? "block-first" : undefined}>
               <th scope="row" title={row.about}>
-                {row.name} <span class="unit">{row.unit}</span>
+                {row.name} {row.unit !== "1" && <span class="unit">{row.unit}</span>}
               </th>
               {FLIGHT_MODES.map((mode) => (
                 <td key={mode.key} data-mode={mode.key}>

@@ -23,12 +23,19 @@ const COUNTS: Entry[] = [
   { key: "detection_hold_cycles", name: "Detection held for", about: "after the last hit", unit: "cycles", integer: true },
 ];
 
+/** "d_RH^L" with its index low and its bound high. */
+function Symbol({ text }: { text: string }) {
+  const match = /^([A-Za-z])_(\w+?)(?:\^(\w))?$/.exec(text);
+  if (!match) return <>{text}</>;
+  return <><i>{match[1]}</i><sub>{match[2]}</sub>{match[3] && <sup>{match[3]}</sup>}</>;
+}
+
 function Entries({ entries }: { entries: Entry[] }) {
   return (
     <div class="entries">
       {entries.map(({ key, name, about, unit, integer }) => (
         <div key={key} class="entry">
-          <span class="entry-name">{name} <span class="muted">{about}</span></span>
+          <span class="entry-name">{name} <span class="muted"><Symbol text={about} /></span></span>
           <NumberField path={`supervisor.${key}`} name={`${name} (${about})`} integer={integer} />
           <span class="unit">{unit}</span>
         </div>
