@@ -5,6 +5,7 @@ import { useFrame } from "../stream/frame";
 import { live } from "../stream/store";
 import { Empty, Panel } from "../ui/panel";
 import { HollowIcon, RecordIcon } from "../ui/icons";
+import { isFlying, PHASES, phaseNow } from "./link_state";
 import { ModeStrip } from "./mode_strip";
 import { RangeGauge } from "./range_gauge";
 import { WindowChoice } from "./window_choice";
@@ -21,7 +22,9 @@ function Content() {
   useFrame();
   const supervisor = live.latest("tlm/supervisor");
   if (!supervisor) return <Empty>The supervisor's mode, range and detection appear with the first telemetry.</Empty>;
-  const mode = modeLook(supervisor.mode);
+  const phase = phaseNow();
+  const flying = isFlying(phase);
+  const mode = modeLook(flying ? supervisor.mode : undefined);
   const before = modeLook(supervisor.previousMode);
   const settled = supervisor.kappa >= 1;
   return (
@@ -33,13 +36,13 @@ function Content() {
         <div class="mode-name">
           <strong>{mode.name}</strong>
           <span class="muted num">
-            {fixed(supervisor.timeInModeS, 1)} s in mode
-            {!settled && before.letter !== mode.letter && ` · from ${before.letter}`}
+            {flying ? `${fixed(supervisor.timeInModeS, 1)} s` : `mission ${PHASES[phase].toLowerCase()}`}
+            {flying && (settled || before.letter === mode.letter ? " in mode" : ` · from ${before.letter}`)}
           </span>
         </div>
-        <Ramp label="κ" unit="" value={supervisor.kappa} share={supervisor.kappa} decimals={2}
+        <Ramp label="κ" unit="" value={flying ? supervisor.kappa : NaN} share={flying ? supervisor.kappa : 0} decimals={2}
           about="Transition factor: 1 when the blend into this mode is over" />
-        <Dwell remaining={supervisor.dwellRemainingS} inMode={supervisor.timeInModeS} />
+        <Dwell remaining={flying ? supervisor.dwellRemainingS : NaN} inMode={supervisor.timeInModeS} />
         <div class="lamps" aria-label="Detection of the target">
           <Lamp name="Raw" on={supervisor.detectionRaw} about="Target seen in this cycle" />
           <Lamp name="Filtered" on={supervisor.detection} about="After the M-of-N filter and hold: what the supervisor uses" />
@@ -73,7 +76,7 @@ function Ramp({ label, unit, value, share, decimals, about }: RampProps) {
 function Dwell({ remaining, inMode }: { remaining: number; inMode: number }) {
   const whole = remaining + inMode;
   return (
-    <Ramp label="dwell" unit="s" value={remaining} share={whole > 0 ? remaining / whole : 0} decimals={1}
+    <Ramp label="dwell" unit="s" value={remaining} share={remaining > 0 ? remaining / whole : 0} decimals={1}
       about="Time until a switch is allowed; 0: allowed now" />
   );
 }

@@ -105,7 +105,7 @@ function options(spec: PlotSpec, axis: boolean, width: number, height: number): 
         spanGaps: false,
       })),
     ],
-    hooks: { drawClear: [shade] },
+    hooks: { drawClear: [shade], draw: [letter] },
   };
 }
 
@@ -138,31 +138,42 @@ function axisTexts(ticks: number[], heading: boolean): string[] {
   return ticks.map((tick) => fixed(heading ? ((tick % 360) + 360) % 360 : tick, decimals));
 }
 
-/** Mode as a faint ground with its letter at the top: colour never alone. */
+/** Mode as a faint ground under the lines. */
 function shade(plot: uPlot): void {
-  const { left, top, width, height } = plot.bbox;
-  const { min, max } = plot.scales.x ?? {};
-  if (min == null || max == null) return;
+  const { top, height } = plot.bbox;
   const g = plot.ctx;
-  const scale = devicePixelRatio || 1;
   g.save();
-  g.font = `700 ${9 * scale}px system-ui, sans-serif`;
-  g.textBaseline = "top";
-  g.textAlign = "left";
-  for (const { mode, start, end } of spans(min, max)) {
-    if (mode === Mode.UNSPECIFIED) continue;
-    const look = modeLook(mode);
-    const x0 = left + ((Math.max(start, min) - min) / (max - min)) * width;
-    const x1 = left + ((Math.min(end, max) - min) / (max - min)) * width;
+  for (const { mode, left, width } of modeBoxes(plot)) {
+    g.fillStyle = modeLook(mode).colour;
     g.globalAlpha = 0.13;
-    g.fillStyle = look.colour;
-    g.fillRect(x0, top, x1 - x0, height);
+    g.fillRect(left, top, width, height);
     g.globalAlpha = 0.9;
-    g.fillRect(x0, top, x1 - x0, 2 * scale);
-    if (x1 - x0 > 14 * scale) {
-      g.fillStyle = colour("--ink-2");
-      g.fillText(look.letter, x0 + 4 * scale, top + 4 * scale);
-    }
+    g.fillRect(left, top, width, 2 * devicePixelRatio);
   }
   g.restore();
+}
+
+/** The mode's letter above the lines: colour never alone. */
+function letter(plot: uPlot): void {
+  const g = plot.ctx;
+  const scale = devicePixelRatio;
+  g.save();
+  g.font = `700 ${10 * scale}px system-ui, sans-serif`;
+  g.textBaseline = "top";
+  g.textAlign = "left";
+  g.fillStyle = colour("--ink");
+  for (const { mode, left, width } of modeBoxes(plot)) {
+    if (width > 14 * scale) g.fillText(modeLook(mode).letter, left + 4 * scale, plot.bbox.top + 5 * scale);
+  }
+  g.restore();
+}
+
+function modeBoxes(plot: uPlot): { mode: Mode; left: number; width: number }[] {
+  const { min, max } = plot.scales.x ?? {};
+  if (min == null || max == null) return [];
+  const at = (time: number): number =>
+    plot.bbox.left + ((Math.min(Math.max(time, min), max) - min) / (max - min)) * plot.bbox.width;
+  return spans(min, max)
+    .filter(({ mode }) => mode !== Mode.UNSPECIFIED)
+    .map(({ mode, start, end }) => ({ mode, left: at(start), width: at(end) - at(start) }));
 }

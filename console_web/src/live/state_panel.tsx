@@ -26,10 +26,10 @@ function Figures() {
     ["Heading", fixed(heading, 1), "°"],
     ["Roll", signed(nav.attitude?.rollDeg, 1), "°"],
     ["Pitch", signed(nav.attitude?.pitchDeg, 1), "°"],
-    ["Over ground", fixed(nav.speedOverGroundMps, 2), "m/s"],
+    ["Speed", fixed(nav.speedOverGroundMps, 2), "m/s"],
     ["Current", fixed(current && Math.hypot(current.x, current.y), 2), "m/s"],
     ["Cross-track", signed(guidance?.crossTrackErrorM, 2), "m"],
-    ["Leg", guidance ? `${guidance.leg + 1}/${guidance.legCount}` : "–", ""],
+    ["Leg", guidance?.legCount ? `${guidance.leg + 1}/${guidance.legCount}` : "–", ""],
   ];
   return (
     <dl class="cells">

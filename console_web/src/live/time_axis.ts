@@ -11,13 +11,17 @@ export function window_s(): number {
   return chosen;
 }
 
-/** A flight younger than the window is shown from its beginning, but never less than this, s. */
+/** A record younger than the window is shown from its beginning, but never less than this, s. */
 const SHORTEST_S = 30;
+/** From this age on a mission alone is shown, without the idle time before it, s. */
+const SHORTEST_MISSION_S = 10;
 
 /** The stretch of vehicle time that is shown now, s; [NaN, NaN] before the first value. */
 export function shown(): [from: number, to: number] {
   const to = history.last();
   const first = history.time[0] ?? to;
+  const mission = to - history.missionStart;
+  if (mission >= SHORTEST_MISSION_S && mission <= chosen) return [history.missionStart, to];
   return [Math.max(to - chosen, Math.min(first, to - Math.min(SHORTEST_S, chosen))), to];
 }
 

@@ -22,9 +22,18 @@ function scaleFor(axis: WrenchAxis, ...values: (number | null)[]): number {
 
 export function WrenchPanel() {
   return (
-    <Panel title="Wrench" topic="tlm/control" unit="body axes" class="wrench-panel">
+    <Panel title="Wrench" topic="tlm/control" unit="body axes" class="wrench-panel" aside={<Legend />}>
       <Rows />
     </Panel>
+  );
+}
+
+function Legend() {
+  return (
+    <span class="legend muted">
+      <span><i class="key-achieved" /> achieved</span>
+      <span><i class="key-demanded" /> demanded</span>
+    </span>
   );
 }
 
@@ -37,9 +46,7 @@ function Rows() {
       <thead>
         <tr>
           <th scope="col"><span class="sr">Component</span></th>
-          <th scope="col" class="key">
-            <span><i class="key-achieved" /> achieved</span> <span><i class="key-demanded" /> demanded</span>
-          </th>
+          <th scope="col"><span class="sr">Achieved as a bar, demanded as a mark</span></th>
           <th scope="col" class="num">dem.</th>
           <th scope="col" class="num">ach.</th>
           <th scope="col" class="num">resid.</th>

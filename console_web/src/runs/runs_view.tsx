@@ -25,7 +25,7 @@ export function RunsView() {
               <tr>
                 <th scope="col">State</th>
                 <th scope="col">Mission</th>
-                <th scope="col">Started</th>
+                <th scope="col" class="num">Started</th>
                 <th scope="col" class="num">Duration</th>
                 <th scope="col" class="num">Size</th>
                 <th scope="col"><span class="sr">Download</span></th>

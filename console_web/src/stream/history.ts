@@ -1,5 +1,5 @@
 // What the plots show: one row per received control cycle, in plain columns.
-import { Mode } from "../gen/bumpless_pb";
+import { MissionPhase, Mode } from "../gen/bumpless_pb";
 import type { LiveStore } from "./store";
 
 export type Column = (number | null)[];
@@ -18,6 +18,7 @@ export class History {
   columns: Record<string, Column> = {};
   /** Vehicle time at mission time 0, s; NaN when no mission has been seen. */
   missionStart = NaN;
+  private flying = false;
   private unwrapped: Record<string, number> = {};
 
   constructor(store: LiveStore) {
@@ -37,8 +38,12 @@ export class History {
     const previous = this.last();
     if (time === previous) return;
     if (time < previous) this.clear();
-    if (time - previous > GAP) this.push(previous + 0.01, Mode.UNSPECIFIED, {});
-    if (nav.stamp.missionTimeS > 0) this.missionStart = time - nav.stamp.missionTimeS;
+    // A simulated vehicle is put at the start of its mission: that jump is no motion.
+    const phase = store.latest("tlm/mission")?.phase;
+    const flying = phase === MissionPhase.RUNNING || phase === MissionPhase.PAUSED;
+    if (time - previous > GAP || (flying && !this.flying)) this.push(previous + 0.01, Mode.UNSPECIFIED, {});
+    if (flying) this.missionStart = time - nav.stamp.missionTimeS;
+    this.flying = flying;
 
     const guidance = store.latest("tlm/guidance");
     const supervisor = store.latest("tlm/supervisor");
@@ -58,7 +63,7 @@ export class History {
       pitch_reference: guidance?.attitudeReference?.pitchDeg,
       roll: nav.attitude?.rollDeg,
       range: supervisor?.rangeM,
-      kappa: supervisor?.kappa,
+      kappa: flying ? supervisor?.kappa : null,
       detection: supervisor && Number(supervisor.detection),
       detection_raw: supervisor && Number(supervisor.detectionRaw),
       solve_time: allocation?.solveTimeUs,
@@ -72,7 +77,7 @@ export class History {
       row[`command_${actuator.name}`] = actuator.command;
       row[`feedback_${actuator.name}`] = actuator.feedback;
     });
-    this.push(time, supervisor?.mode ?? Mode.UNSPECIFIED, row);
+    this.push(time, (flying && supervisor?.mode) || Mode.UNSPECIFIED, row);
   }
 
   private push(time: number, mode: Mode, row: Record<string, number | null | undefined>): void {

@@ -18,13 +18,14 @@ export function RefusalNotice({ title, refusal, onClose }: { title: string; refu
   );
 }
 
-export function ProblemTable({ problems, onPick }: { problems: Problem[]; onPick?: (line: number) => void }) {
+export function ProblemTable({ problems }: { problems: Problem[] }) {
+  const inFile = problems.some((p) => p.file || p.line);
   return (
     <table class="problems" aria-label="Problems">
       <thead>
         <tr>
-          <th scope="col">File</th>
-          <th scope="col" class="num">Line</th>
+          {inFile && <th scope="col">File</th>}
+          {inFile && <th scope="col" class="num">Line</th>}
           <th scope="col">Field</th>
           <th scope="col">Value</th>
           <th scope="col">Rule</th>
@@ -33,16 +34,8 @@ export function ProblemTable({ problems, onPick }: { problems: Problem[]; onPick
       <tbody>
         {problems.map((p) => (
           <tr key={`${p.line}:${p.column}:${p.field}:${p.rule}`}>
-            <td>{p.file || "–"}</td>
-            <td class="num">
-              {p.line && onPick ? (
-                <button type="button" class="link" onClick={() => onPick(p.line)}>
-                  {place(p)}
-                </button>
-              ) : (
-                place(p)
-              )}
-            </td>
+            {inFile && <td>{p.file || "–"}</td>}
+            {inFile && <td class="num">{place(p)}</td>}
             <td class="code">{p.field || "–"}</td>
             <td class="code">{p.value || "–"}</td>
             <td>{p.rule}</td>
