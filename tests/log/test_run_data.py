@@ -80,6 +80,19 @@ def test_cycles_with_a_lost_message_are_missing_cycles(flight: Flight, tmp_path:
     assert metrics.cycles == len(flight.result.log) - 3
 
 
+def test_every_cycle_says_what_the_checks_need(flight: Flight) -> None:
+    """Phase and frozen demand of each cycle: without them idle cycles count and ramps look like jumps."""
+    rows = iter(flight.result.log)
+    controls = iter(flight.result.log)
+    for _, topic, _, payload in flight.bus:
+        if topic == "tlm/supervisor":
+            assert pb.Supervisor.FromString(payload).phase == next(rows)["phase"]
+        elif topic == "tlm/control":
+            frozen = pb.Control.FromString(payload).frozen
+            kept = (frozen.x_n, frozen.y_n, frozen.z_n, frozen.k_nm, frozen.m_nm, frozen.n_nm)
+            assert kept == tuple(next(controls)["tau_minus"])
+
+
 def test_the_vehicle_comes_from_the_file(flight: Flight) -> None:
     """No vehicle folder is needed to read a log of another machine."""
     data = read_run(flight.path)

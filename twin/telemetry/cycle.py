@@ -59,7 +59,7 @@ def messages(
         time_ns = context.start_time_ns + round(r.one("time") * 1e9)
     stamp = pb.Stamp(
         time_ns=time_ns,
-        mission_time_s=r.one("time"),
+        mission_time_s=0.0 if r.one("phase") == pb.MISSION_PHASE_IDLE else r.one("time"),
         cycle=int(r.one("cycle")) if cycle is None else cycle,
     )
     return [
@@ -122,6 +122,7 @@ def _supervisor(r: _Row, stamp: pb.Stamp, context: Context) -> pb.Supervisor:
     out.detection_raw, out.detection = bool(r.one("detected_raw")), bool(r.one("detected"))
     out.kappa = r.one("kappa")
     out.time_in_mode_s, out.dwell_remaining_s = r.one("time_in_mode"), r.one("dwell_remaining")
+    out.phase = cast("pb.MissionPhase", int(r.one("phase")))
     return out
 
 
@@ -132,6 +133,7 @@ def _control(r: _Row, stamp: pb.Stamp) -> pb.Control:
     _wrench(out.demanded_raw, r.all("tau_plus"))
     _wrench(out.achieved, achieved)
     _wrench(out.residual, [d - a for d, a in zip(demanded, achieved, strict=True)])
+    _wrench(out.frozen, r.all("tau_minus"))
     return out
 
 
