@@ -67,11 +67,12 @@ class LightTwin:
         self._events.append(TwinEvent(1, code, text, {}, float(self._log[0]["time"])))
 
 
-def run(endpoint: str, realtime: str = "realtime") -> int:
+def run(endpoint: str, realtime: str = "realtime", mission: str | None = None) -> int:
     """A vehicle node of its own with this twin in it, connected to `endpoint`."""
     from twin.node import main
 
-    return main("ts100", connect=[endpoint], realtime=realtime == "realtime", make_twin=LightTwin)
+    paced = realtime == "realtime"
+    return main("ts100", connect=[endpoint], realtime=paced, mission=mission, make_twin=LightTwin)
 
 
 if __name__ == "__main__":

@@ -114,9 +114,9 @@ def program(*arguments: str, **environment: str) -> Iterator[subprocess.Popen[st
         process.communicate()
 
 
-def light_node(endpoint: str, realtime: str = "realtime") -> Any:
-    """A node with a light twin in it."""
-    return program("-m", "tests.node.light", endpoint, realtime)
+def light_node(endpoint: str, *more: str) -> Any:
+    """A node with a light twin in it; `more` are "realtime" or "fast", and a mission to begin with."""
+    return program("-m", "tests.node.light", endpoint, *more)
 
 
 def ended(process: "subprocess.Popen[str]") -> tuple[int, str]:

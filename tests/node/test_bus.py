@@ -7,7 +7,7 @@ import threading
 import zenoh
 from google.protobuf import descriptor_pb2, descriptor_pool, message_factory
 
-from tests.node.listening import PATIENCE_S, Listener, ended, light_node
+from tests.node.listening import PATIENCE_S, ROOT, Listener, ended, light_node, program
 from twin.contract import bumpless_pb2 as pb
 from twin.contract import keys
 
@@ -129,3 +129,17 @@ def test_virtual_time_tells_every_cycle(bus: Listener, endpoint: str) -> None:
         bus.until(lambda: [m for m in bus.of("tlm/mission") if m.phase == pb.MISSION_PHASE_COMPLETED])
         flown = [m.stamp.mission_time_s for m in bus.of("tlm/control") if m.stamp.mission_time_s > 0]
         assert [round(t / 0.05) for t in flown[:1800]] == list(range(1, 1801))
+
+
+def test_a_mission_may_be_flown_without_being_asked(bus: Listener, endpoint: str) -> None:
+    """A vehicle given a mission on its command line flies it, with or without a console."""
+    with light_node(endpoint, "realtime", str(ROOT / "missions" / "docking.yaml")):
+        status = bus.until(lambda: [m for m in bus.of("tlm/mission") if m.run_id])[0]
+        assert (status.mission_name, status.phase) == ("docking", pb.MISSION_PHASE_RUNNING)
+
+
+def test_a_vehicle_that_cannot_be_loaded_is_a_sentence(endpoint: str) -> None:
+    """Exit code 1 and what is wrong, not a traceback."""
+    with program("-m", "server.cli.main", "vehicle", "--id", "nosuch", "--connect", endpoint) as process:
+        code, output = ended(process)
+    assert code == 1 and "nosuch" in output and "Traceback" not in output

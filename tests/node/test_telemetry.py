@@ -28,12 +28,13 @@ def parameters(vehicle: Vehicle) -> Parameters:
 
 
 def random_row(seed: int) -> np.void:
-    """A row with a different number in every place; integers small."""
+    """A row with a different number in every place; integers small, a mission running."""
     rng = np.random.default_rng(seed)
     made = np.zeros(1, LOG)
     for name in LOG.names or ():
         integer = LOG[name].base.kind == "i"
         made[name] = rng.integers(0, 3, made[name].shape) if integer else rng.normal(size=made[name].shape)
+    made["phase"] = pb.MISSION_PHASE_RUNNING
     return made[0]
 
 
@@ -106,13 +107,13 @@ def test_every_topic_is_told_at_its_rate(vehicle: Vehicle, parameters: Parameter
         FlightState(parameters),
     )
     made = np.zeros(1, LOG)
-    made["phase"] = pb.MISSION_PHASE_IDLE
+    made["phase"], made["time"] = pb.MISSION_PHASE_IDLE, 4.0
     counts: dict[str, int] = {}
     for n in range(80):
         said: list[tuple[str, Any]] = list(teller.tell(made[0], state, (), START_NS + n * 50_000_000, n))
         for topic, message in said:
             counts[topic] = counts.get(topic, 0) + 1
-            assert message.stamp.cycle == n
+            assert (message.stamp.cycle, message.stamp.mission_time_s) == (n, 0.0)  # no mission, no time
     assert {topic: counts[topic] for topic in PER_CYCLE} == dict.fromkeys(PER_CYCLE, 80)
     slow = {"tlm/mission": 8, "tlm/parameters": 4, "tlm/health": 4, "tlm/description": 2}
     assert {topic: counts[topic] for topic in slow} == slow
