@@ -19,7 +19,10 @@ export function Plot({ spec, axis }: { spec: PlotSpec; axis: boolean }) {
       <figcaption>
         <b>{spec.title}</b> <span class="unit">{spec.unit}</span>
         <span class="grow" />
-        <span class="plot-values num" ref={values} data-testid={`plot-${spec.id}`} />
+        <span class="plot-values num" ref={values} data-testid={`plot-${spec.id}`}>
+          <span class="value-measured" />
+          {spec.traces.some(({ look }) => look === "reference") && <span class="value-reference" />}
+        </span>
       </figcaption>
       <div class="plot-box" ref={box} />
     </figure>
@@ -57,18 +60,15 @@ function dataOf(spec: PlotSpec): uPlot.AlignedData {
   return [history.time, ...spec.traces.map((trace) => history.columns[trace.column] ?? none)];
 }
 
-/** Values under the cursor, else the newest: measured first, then the reference behind an arrow. */
+/** Values under the cursor, else the newest. */
 function showValues(element: HTMLElement, spec: PlotSpec, plot: uPlot): void {
   const index = plot.cursor.idx ?? history.time.length - 1;
-  const text = [...spec.traces]
-    .reverse()
-    .map((trace) => {
-      const value = history.columns[trace.column]?.[index];
-      const shown = spec.heading && value != null ? ((value % 360) + 360) % 360 : value;
-      return (trace.look === "reference" ? "ref " : "") + fixed(shown, spec.decimals);
-    })
-    .join("   ");
-  if (element.textContent !== text) element.textContent = text;
+  for (const trace of spec.traces) {
+    const value = history.columns[trace.column]?.[index];
+    const text = fixed(spec.heading && value != null ? ((value % 360) + 360) % 360 : value, spec.decimals);
+    const part = element.querySelector(`.value-${trace.look}`);
+    if (part && part.textContent !== text) part.textContent = text;
+  }
 }
 
 function options(spec: PlotSpec, axis: boolean, width: number, height: number): uPlot.Options {

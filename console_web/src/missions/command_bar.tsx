@@ -85,14 +85,18 @@ function Progress() {
           <span class="mission-name" title={`Run ${status.runId || "–"}, seed ${status.seed}`}>
             {status.missionName}
           </span>
-          <span class="num">
-            <span class="sr">Mission time </span>T+{clock(status.elapsedS)}
-            <span class="muted"> / {clock(status.durationS)}</span>
-          </span>
-          <span class="progress" role="progressbar" aria-label="Share of the planned duration"
-            aria-valuemin={0} aria-valuemax={100} aria-valuenow={Math.round(share * 100)}>
-            <i style={{ width: `${(share * 100).toFixed(1)}%` }} />
-          </span>
+          {flying && (
+            <>
+              <span class="num">
+                <span class="sr">Mission time </span>T+{clock(status.elapsedS)}
+                <span class="muted"> / {clock(status.durationS)}</span>
+              </span>
+              <span class="progress" role="progressbar" aria-label="Share of the planned duration"
+                aria-valuemin={0} aria-valuemax={100} aria-valuenow={Math.round(share * 100)}>
+                <i style={{ width: `${(share * 100).toFixed(1)}%` }} />
+              </span>
+            </>
+          )}
           {!flying && status.endReason && <span class="muted ellipsis" title={status.endReason}>{status.endReason}</span>}
         </>
       ) : (
