@@ -57,8 +57,11 @@ gen: $(DONE)/dev  ## generate the contract's Python and TypeScript code
 	$(PY) -m grpc_tools.protoc -I twin/contract --python_out=twin/contract --pyi_out=twin/contract bumpless.proto
 	PYTHON=$(CURDIR)/$(PY) $(NPM) console_web run gen --silent
 
-bench: $(DONE)/compiled $(DONE)/bench  ## measure the control loop, the simulation and the server
-	$(BIN)/bumpless bench $(ARGS)
+MINUTES ?= 10
+bench: $(DONE)/compiled $(DONE)/dev $(DONE)/bench console  ## measure simulation, allocation and the live loop (MINUTES=10)
+	$(BIN)/bumpless run missions/docking.yaml
+	$(PY) -m tests.bench.alloc_peers
+	$(PY) -m tests.bench.live_node --minutes $(MINUTES) --streams 5
 
 format: $(DONE)/dev  ## let ruff format and sort imports
 	$(BIN)/ruff check --select I --fix .

@@ -1,6 +1,8 @@
 """Who gets in: decided on headers alone, so every case can be written down."""
 
 import pytest
+from pydantic import SecretStr
+from pydantic import SecretStr
 
 from server.auth import COOKIE, Auth
 from server.settings import Settings
@@ -59,7 +61,7 @@ def test_a_session_outlives_a_restart_but_not_a_new_token(auth: Auth) -> None:
     """A page that is open while the server restarts connects again by itself."""
     cookie = auth.new_session()
     assert Auth(Settings(), KEY).is_session(cookie)
-    assert not Auth(Settings(token="correct horse"), KEY).is_session(cookie)
+    assert not Auth(Settings(token=SecretStr("correct horse")), KEY).is_session(cookie)
 
 
 def test_a_foreign_name_for_this_machine_is_refused(auth: Auth) -> None:
@@ -74,7 +76,7 @@ def test_a_foreign_name_for_this_machine_is_refused(auth: Auth) -> None:
 
 def test_with_a_token_nothing_is_open() -> None:
     """Every request then needs the session or the token itself."""
-    auth = Auth(Settings(host="0.0.0.0", token="correct horse"), KEY)
+    auth = Auth(Settings(host="0.0.0.0", token=SecretStr("correct horse")), KEY)
     headers = {"host": "sub.example:8080"}
     assert auth.refusal("GET", headers) == (401, "a token is needed")
     assert auth.refusal("GET", {**headers, "authorization": "Bearer wrong horse"}) is not None
