@@ -64,22 +64,6 @@ def _plan(mission: Mission | None) -> dict[str, Any]:
     }
 
 
-def _geometry(mission: Mission | None) -> dict[str, Any]:
-    """What a map shows of a mission before it is flown; NED, m, degrees, m/s."""
-    if mission is None:
-        return {}
-    target = mission.target
-    return {
-        "path_ned_m": [list(point) for point in mission.path_ned_m],
-        "target": {
-            "position_ned_m": list(target.position_ned_m),
-            "heading_deg": target.heading_deg,
-            "observation_point_ned_m": list(target.observation_point_ned_m),
-        },
-        "current_ned_mps": list(mission.environment.current_ned_mps),
-    }
-
-
 def builtin_folder() -> Path:
     """Where the missions of this package are: beside the sources, or inside the installed package."""
     package = Path(__file__).parent

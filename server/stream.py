@@ -26,8 +26,8 @@ class ClientBuffer:
     def __init__(self, loop: asyncio.AbstractEventLoop, first: list[Sample]) -> None:
         self._loop = loop
         self._lock = threading.Lock()
-        self._newest: dict[str, Sample] = {sample.topic: sample for sample in first}
-        self._events: deque[Sample] = deque(maxlen=MAX_EVENTS)
+        self._newest = {sample.topic: sample for sample in first if sample.topic != EVENT}
+        self._events = deque((s for s in first if s.topic == EVENT), maxlen=MAX_EVENTS)
         self._filled = asyncio.Event()
         self._woken = bool(first)
         if first:
@@ -95,8 +95,9 @@ class Stream:
             client.offer(sample)
 
     def join(self) -> ClientBuffer:
-        """A buffer for a new browser, holding the last value of every topic."""
-        client = ClientBuffer(asyncio.get_running_loop(), self._state.samples())
+        """A buffer for a new browser, holding the last value of every topic and the last events."""
+        first = [*self._state.samples(), *self._state.events()]
+        client = ClientBuffer(asyncio.get_running_loop(), first)
         with self._lock:
             self._clients = (*self._clients, client)
         return client
