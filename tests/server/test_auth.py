@@ -2,7 +2,6 @@
 
 import pytest
 from pydantic import SecretStr
-from pydantic import SecretStr
 
 from server.auth import COOKIE, Auth
 from server.settings import Settings
