@@ -21,6 +21,7 @@ from server.bus import BusError
 from server.console import Console
 from server.data_dir import DataDir, DataDirError
 from server.log_read import log_messages
+from server.process import adopt
 from server.run_summary import is_whole
 from server.settings import Settings
 from tests.server.serving import PATIENCE_S
@@ -83,9 +84,18 @@ def environment(settings: Settings) -> dict[str, str]:
     }
 
 
+@pytest.fixture(autouse=True)
+def no_node_left(make_settings: Callable[..., Settings]) -> Iterator[None]:
+    """A test that fails between two servers must not leave the vehicle flying."""
+    yield
+    node = adopt(make_settings().data_dir / "node.json")
+    if node is not None:
+        node.signal(signal.SIGKILL)
+
+
 @contextmanager
 def server(settings: Settings, **more: str) -> Iterator[Server]:
-    """A server process; killed with its node if the test leaves it."""
+    """A server process; killed if the test leaves it."""
     process = subprocess.Popen(
         RUN,
         env=environment(settings) | more,
@@ -199,8 +209,6 @@ def test_an_old_record_of_a_node_is_not_taken_for_a_living_one(
     make_settings: Callable[..., Settings],
 ) -> None:
     """A process id that somebody else has by now is neither adopted nor ever signalled."""
-    from server.process import adopt
-
     settings = make_settings()
     settings.data_dir.mkdir(parents=True)
     record = settings.data_dir / "node.json"
