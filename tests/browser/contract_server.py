@@ -21,11 +21,16 @@ from starlette.routing import Mount, Route, WebSocketRoute
 from starlette.staticfiles import StaticFiles
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
+from server.routes.page import static_folder
 from twin.contract import bumpless_pb2 as pb
 
-DIST = Path(__file__).parents[2] / "console_web" / "dist"
 POLICY = "default-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data:; connect-src 'self'"
+NOW_NS = 1_770_000_000_000_000_000
+BEAT_S = 0.05
 SCENE = "<!doctype html><title>scene</title><body style='margin:0;background:#123'></body>"
+
+
+Messages = Iterable[tuple[str, Message]]
 
 
 @dataclass
@@ -46,12 +51,15 @@ class Call:
 class ContractServer:
     """Runs in a thread of its own; every public method may be called from the test's thread."""
 
-    console: Path = DIST
     replies: dict[tuple[str, str], tuple[int, Any]] = field(default_factory=dict)
     calls: list[Call] = field(default_factory=list)
     port: int = 0
 
     def __post_init__(self) -> None:
+        folder = static_folder()
+        assert folder is not None, "the console is not built: make build"
+        self.console: Path = folder
+        self._steady: list[tuple[str, Message]] = []
         self._last: dict[str, pb.StreamMessage] = {}
         self._sockets: dict[WebSocket, asyncio.Queue[bytes]] = {}
         self._called = threading.Condition()
@@ -82,6 +90,7 @@ class ContractServer:
             async def noted_startup(sockets: Any = None) -> None:
                 await startup(sockets)
                 self.port = self._server.servers[0].sockets[0].getsockname()[1]
+                self._beat()
                 ready.set()
 
             self._server.startup = noted_startup
@@ -102,26 +111,35 @@ class ContractServer:
         """What to answer from now on to `method` of `path` (without the leading "/api/")."""
         self.replies[(method, path)] = (status, body)
 
-    def say(self, messages: Iterable[tuple[str, Message]], age_s: float = 0.0) -> None:
+    def say(self, messages: Messages, age_s: float = 0.0) -> None:
         """Push one frame to every browser; `age_s`: how long ago the server received these messages."""
-        now = 1_770_000_000_000_000_000
-        frame = pb.StreamFrame(server_time_ns=now)
+        said = list(messages)
+        self._loop.call_soon_threadsafe(self._push, said, age_s)
+
+    def keep_saying(self, messages: Messages) -> None:
+        """Push these at 20 Hz from now on, as a vehicle does that does not change."""
+        self.say(messages)
+        self._steady = list(messages)
+
+    def _beat(self) -> None:
+        if self._steady:
+            self._push(self._steady, 0.0)
+        self._loop.call_later(BEAT_S, self._beat)
+
+    def _push(self, messages: Messages, age_s: float) -> None:
+        frame = pb.StreamFrame(server_time_ns=NOW_NS)
         for topic, message in messages:
             frame.messages.add(
                 topic=topic,
                 schema=message.DESCRIPTOR.full_name,
                 payload=message.SerializeToString(),
-                receive_time_ns=now - round(age_s * 1e9),
+                receive_time_ns=NOW_NS - round(age_s * 1e9),
             )
+        for message in frame.messages:
+            self._last[message.topic] = message
         data = frame.SerializeToString()
-
-        def push() -> None:
-            for message in frame.messages:
-                self._last[message.topic] = message
-            for queue in self._sockets.values():
-                queue.put_nowait(data)
-
-        self._loop.call_soon_threadsafe(push)
+        for queue in self._sockets.values():
+            queue.put_nowait(data)
 
     def wait_for_call(self, method: str, path: str, timeout_s: float = 10.0) -> Call:
         """The first request of this kind, when it has come."""
@@ -149,7 +167,7 @@ class ContractServer:
     async def _stream(self, socket: WebSocket) -> None:
         await socket.accept()
         queue: asyncio.Queue[bytes] = asyncio.Queue()
-        frame = pb.StreamFrame(server_time_ns=1_770_000_000_000_000_000, messages=self._last.values())
+        frame = pb.StreamFrame(server_time_ns=NOW_NS, messages=self._last.values())
         queue.put_nowait(frame.SerializeToString())
         self._sockets[socket] = queue
         sender = asyncio.create_task(_send_all(socket, queue))
