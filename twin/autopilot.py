@@ -104,7 +104,7 @@ def autopilot_step(handle, settings, modes, sensors, plan, model, m, a, w, chang
     observation_point(plan, a, point)
     a.range = hypot(point[0] - a.eta[0], point[1] - a.eta[1])
     if a.holding == 0:
-        mode = supervise(settings, a)
+        mode = supervise(settings, a, a.leg >= plan.n_legs)
         if mode != a.mode:
             change_mode(a, mode)
             change = 1

@@ -13,6 +13,7 @@ from twin.compiled import jit
 from twin.frames import direction, wrap
 from twin.records import AALOS, FORWARD, HOVER, REVERSE
 
+_RUNWAY = 14.0  # m added to the last leg after a missed approach: three turning radii of a slow torpedo
 _FULL_FLOW = 0.05  # m/s of inflow at which hover uses its whole cross-track law
 
 
@@ -27,7 +28,7 @@ def observation_point(plan, a, out):
 @jit
 def leg_ends(plan, a, point, start, end):
     """Fill start and end (3,) of the active leg. Leg n_legs - 1 ends at the observation point; leg n_legs
-    leads back to its start after a missed approach."""
+    leads back after a missed approach, past the last leg's start so that there is room to turn and align."""
     last = plan.n_legs - 1
     for k in range(3):
         if a.leg > last:
@@ -35,6 +36,11 @@ def leg_ends(plan, a, point, start, end):
         else:
             start[k] = plan.waypoint[a.leg, k]
             end[k] = point[k] if a.leg == last else plan.waypoint[a.leg + 1, k]
+    if a.leg > last:
+        dx, dy = end[0] - start[0], end[1] - start[1]
+        stretch = _RUNWAY / max(hypot(dx, dy), 1e-6)
+        end[0] += stretch * dx
+        end[1] += stretch * dy
 
 
 @jit

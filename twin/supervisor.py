@@ -45,8 +45,11 @@ def next_mode(settings, mode, chi, d):
 
 
 @jit
-def supervise(settings, a):
-    """The mode for this cycle, from a.mode, a.detected and a.range; the dwell counter decides if at all."""
-    if a.cycle - a.switch_cycle < settings.n_dwell:
+def supervise(settings, a, going_around):
+    """The mode for this cycle, from a.mode, a.detected and a.range; the dwell counter decides if at all.
+
+    going_around: on the way back after a missed approach a glimpse of the target is no approach.
+    """
+    if a.cycle - a.switch_cycle < settings.n_dwell or (going_around and a.mode == FORWARD):
         return a.mode
     return next_mode(settings, a.mode, a.detected, a.range)

@@ -42,7 +42,8 @@ def test_no_switch_before_the_dwell_time(s, waited):
     """Protects: the average-dwell-time bound of eq. (59)."""
     a = np.zeros(1, records.AUTOPILOT)[0]
     a["mode"], a["cycle"], a["switch_cycle"], a["range"], a["detected"] = F, waited, 0, 1.0, 1
-    assert supervise(s, a) == (F if waited < 40 else R)
+    assert supervise(s, a, False) == (F if waited < 40 else R)
+    assert supervise(s, a, True) == F
 
 
 @given(st.lists(st.sampled_from([0, 1]), max_size=60))
