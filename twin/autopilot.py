@@ -44,7 +44,7 @@ def reset_autopilot(modes, plan, model, a):
     a.switch_cycle = a.ramp_cycle = _LONG_AGO
     a.ramp_length = 0.0
     a.kappa = 1.0
-    a.b = a.hover_time = a.time = 0.0
+    a.b = a.alpha = a.hover_time = a.time = 0.0
     a.reference[2] = plan.start[2]
     a.reference[5] = plan.start[5]
     a.reference[0] = plan.start_speed

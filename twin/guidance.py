@@ -4,10 +4,11 @@ Source: Gao et al. 2026, eq. (41) (adaptive line of sight); Fossen & Aguiar 2024
 (uniform semiglobal exponential law, `AALOS`).
 Beyond the paper: after a missed approach in F the vehicle returns to the start of the last leg and
 tries again; in H the cross-track law fades with the inflow, since heading only moves the vehicle
-sideways when water flows past it.
+sideways when water flows past it. A vehicle without heave holds its depth by pitch, and one that needs
+flow over its fins passes the observation point at its slowest speed and circles where it should wait.
 """
 
-from math import atan, cos, hypot, sin, sqrt
+from math import atan, cos, hypot, pi, sin, sqrt
 
 from twin.compiled import jit
 from twin.frames import direction, wrap
@@ -120,6 +121,32 @@ def hold_station(settings, plan, a, x, y, z, heading, controllable_sway):
 
 
 @jit
+def circle(settings, a, x, y):
+    """psi_d of a clockwise circle of two look-aheads' radius about a NED point, for what cannot stop."""
+    dx, dy = x - a.eta[0], y - a.eta[1]
+    outside = hypot(dx, dy) - 2.0 * settings.look_ahead
+    return wrap(direction(dx, dy) - 0.5 * pi + atan(outside / settings.look_ahead))
+
+
+@jit
+def pitch_for_depth(settings, a):
+    """theta_d by line of sight in the vertical plane, rad; learns the trim pitch a.alpha. 0 when depth is
+    held by heave. It fades below the schedule speed: without flow, pitch does not move the vehicle.
+
+    Source: Fossen & Aguiar 2024, the vertical half of their 3-D law.
+    """
+    delta = settings.pitch_look_ahead
+    if delta <= 0.0:
+        return 0.0
+    share = min(max(a.nu_r[0] / max(settings.schedule_speed, 1e-3), 0.0), 1.0)
+    z_e, limit = a.eta[2] - a.reference[2], settings.pitch_max
+    wanted = a.alpha + atan(z_e / delta)
+    if abs(wanted) < limit or wanted * z_e < 0.0:
+        a.alpha += settings.dt * share * settings.pitch_gamma * delta * z_e / sqrt(delta * delta + z_e * z_e)
+    return share * min(max(wanted, -limit), limit)
+
+
+@jit
 def guide(settings, plan, a, point, work):
     """Fill a.reference (6,) = [u_d v_d z_d phi_d theta_d psi_d] for the autopilot record `a`.
 
@@ -129,6 +156,8 @@ def guide(settings, plan, a, point, work):
     if a.holding == 1:
         h = a.hold_point
         u_goal, v_goal, z_goal, psi_d = hold_station(settings, plan, a, h[0], h[1], h[2], h[3], a.sway == 1)
+        if settings.speed_min > 0.0:
+            psi_d = circle(settings, a, h[0], h[1])
     elif a.mode == HOVER:
         u_goal, v_goal, z_goal, psi_d = hold_station(
             settings, plan, a, point[0], point[1], point[2], plan.target[3], a.sway == 1
@@ -136,9 +165,10 @@ def guide(settings, plan, a, point, work):
     else:
         u_goal, z_goal, psi_d = follow_path(settings, plan, a, point, work[0:3], work[3:6])
     r = a.reference
+    u_goal = max(u_goal, settings.speed_min) if settings.speed_min > 0.0 else u_goal
     r[0] = approach(r[0], u_goal, settings.acceleration * settings.dt)
     r[1] = approach(r[1], v_goal, settings.acceleration * settings.dt) if a.sway == 1 else 0.0
     r[2] = approach(r[2], z_goal, settings.depth_rate * settings.dt)
     r[3] = 0.0
-    r[4] = 0.0
+    r[4] = pitch_for_depth(settings, a)
     r[5] = psi_d

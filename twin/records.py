@@ -107,6 +107,10 @@ SETTINGS = np.dtype(
         ("look_ahead", f8),  # Delta, m
         ("gamma", f8),  # adaptation gain
         ("depth_rate", f8),  # m/s
+        ("pitch_look_ahead", f8),  # m, of the depth law that pitches; 0: depth by heave
+        ("pitch_gamma", f8),  # its adaptation gain
+        ("pitch_max", f8),  # rad
+        ("speed_min", f8),  # m/s, slowest surge reference
         ("acceleration", f8),  # of the speed reference, m/s^2
         ("reverse_slope", f8),  # u_d = slope d + offset in R, at most reverse_max
         ("reverse_offset", f8),
@@ -245,6 +249,7 @@ AUTOPILOT = np.dtype(
         ("sway", i8),  # 1 when the vehicle can push sideways
         ("leg", i8),
         ("b", f8),
+        ("alpha", f8),  # rad, pitch that holds depth, learnt
         ("reference", f8, 6),
         ("depth_rate", f8),
         ("cross_track", f8),

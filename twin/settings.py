@@ -34,6 +34,8 @@ def fill_settings(out: np.ndarray, vehicle: Vehicle, parameters: Parameters) -> 
     s["sqp_iterations"], s["kkt_tolerance"] = alloc.sqp_iterations, alloc.kkt_tolerance
     s["fault_tolerant"], s["anti_windup"] = alloc.fault_tolerant, alloc.anti_windup_per_s
     s["law"], s["look_ahead"], s["gamma"] = LAWS[guide.law], guide.look_ahead_m, guide.adaptation_gain
+    s["pitch_look_ahead"], s["pitch_gamma"] = guide.pitch_look_ahead_m, guide.pitch_adaptation_gain
+    s["pitch_max"], s["speed_min"] = radians(guide.pitch_max_deg), guide.speed_min_mps
     s["depth_rate"], s["acceleration"] = guide.depth_rate_mps, guide.acceleration_mps2
     s["reverse_slope"], s["reverse_offset"] = guide.reverse_speed_slope_per_s, guide.reverse_speed_offset_mps
     s["reverse_max"] = guide.reverse_speed_max_mps

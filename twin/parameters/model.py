@@ -90,6 +90,10 @@ class GuidanceParameters:
     look_ahead_m: float = 5.0  # Delta
     adaptation_gain: float = 0.002  # gamma, 1/s
     depth_rate_mps: float = 0.02  # the depth reference moves no faster
+    pitch_look_ahead_m: float = 0.0  # depth by pitch, as a vehicle without heave needs it; 0: by heave
+    pitch_adaptation_gain: float = 0.01  # 1/s, how fast the trim pitch is learnt
+    pitch_max_deg: float = 20.0
+    speed_min_mps: float = 0.0  # no slower surge reference: below it the fins do not steer
     acceleration_mps2: float = 0.05  # nor does the speed reference
     reverse_speed_slope_per_s: float = 0.08  # u_d = slope * range + offset, at most the maximum
     reverse_speed_offset_mps: float = 0.08
