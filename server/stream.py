@@ -16,6 +16,11 @@ from server.state import State
 from twin.contract import bumpless_pb2 as pb
 
 FRAME_PERIOD_S = 0.05
+PAST_PERIOD_S = 0.25  # what a new browser's plots begin with: coarser, but no gap in their lines
+PAST_FRAMES = 480  # two minutes
+PLOTTED = tuple(
+    f"tlm/{topic}" for topic in ("navigation", "guidance", "supervisor", "control", "allocation", "actuators")
+)
 GATHER_S = 0.004  # the topics of one control cycle arrive within this time of each other
 MAX_EVENTS = 500
 
@@ -85,14 +90,30 @@ class Stream:
         self._state = state
         self._clients: tuple[ClientBuffer, ...] = ()
         self._lock = threading.Lock()
+        self._past: deque[list[Sample]] = deque(maxlen=PAST_FRAMES)
         state.subscribe(self._offer)
 
     def __len__(self) -> int:
         return len(self._clients)
 
     def _offer(self, sample: Sample) -> None:
+        if sample.topic == PLOTTED[-1]:
+            self._remember(sample)
         for client in self._clients:
             client.offer(sample)
+
+    def _remember(self, last: Sample) -> None:
+        """Keep one cycle's plotted messages now and then; on the dispatcher's thread."""
+        if self._past and last.receive_ns - self._past[-1][-1].receive_ns < PAST_PERIOD_S * 1e9:
+            return
+        cycle = [self._state.sample(topic) for topic in PLOTTED]
+        with self._lock:
+            self._past.append([sample for sample in cycle if sample is not None])
+
+    def past(self) -> list[list[Sample]]:
+        """Cycles of the last two minutes, oldest first, for a browser that has just come."""
+        with self._lock:
+            return list(self._past)
 
     def join(self) -> ClientBuffer:
         """A buffer for a new browser, holding the last value of every topic and the last events."""
@@ -112,6 +133,8 @@ class Stream:
         client = self.join()
         loop = asyncio.get_running_loop()
         try:
+            for cycle in self.past():
+                await send(frame_of(cycle))
             while True:
                 await client.wait()
                 await asyncio.sleep(GATHER_S)

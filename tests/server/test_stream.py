@@ -2,15 +2,17 @@
 
 import asyncio
 import base64
+import itertools
 import os
 import socket
 
 import psutil
+import pytest
 from websockets.sync.client import connect
 
 from server.sample import EVENT, Sample
 from server.state import State
-from server.stream import FRAME_PERIOD_S, MAX_EVENTS, Stream
+from server.stream import FRAME_PERIOD_S, MAX_EVENTS, PLOTTED, Stream
 from tests.server.serving import PATIENCE_S, Running
 from twin.contract import bumpless_pb2 as pb
 
@@ -62,6 +64,21 @@ async def test_a_blocked_browser_costs_one_message_per_topic_and_delays_nobody()
         task.cancel()
     await asyncio.gather(*tasks, return_exceptions=True)
     assert len(stream) == 0
+
+
+async def test_a_new_browser_begins_with_the_last_two_minutes() -> None:
+    """Plots of a reloaded page are not empty; what is kept for them is bounded and never live-looking."""
+    state = State("ts100")
+    stream = Stream(state)
+    step = int(0.05e9)
+    for cycle in range(20 * 300):  # five minutes
+        for topic in PLOTTED:
+            state.feed(Sample(topic, "bumpless.Event", b"", receive_ns=cycle * step))
+    past = stream.past()
+    times = [frame[0].receive_ns * 1e-9 for frame in past]
+    assert times[-1] - times[0] == pytest.approx(120, abs=0.5)
+    assert max(b - a for a, b in itertools.pairwise(times)) < 0.5  # a longer gap would break the lines
+    assert all([sample.topic for sample in frame] == list(PLOTTED) for frame in past)
 
 
 async def test_events_of_a_frozen_browser_are_bounded() -> None:

@@ -1,6 +1,7 @@
 // The 3-D scene: the server's page in a frame, with the camera presets above it.
-import { useState } from "preact/hooks";
+import { useEffect, useState } from "preact/hooks";
 import { request, type Refusal } from "../api/http";
+import { onTheme, theme } from "../lib/theme";
 import { useFrame } from "../stream/frame";
 import { live } from "../stream/store";
 import { linkNow } from "./link_state";
@@ -43,11 +44,13 @@ export function Scene() {
 
 function SceneFrame() {
   useFrame();
+  const [shade, setShade] = useState(theme());
+  useEffect(() => onTheme(() => setShade(theme())), []);
   const look = linkNow().look;
   const seen = live.connection === "open" || live.lastFrame > 0;
   return (
     <div class="scene-frame" data-state={look === "live" || look === "waiting" ? "fresh" : "stale"}>
-      {seen && <iframe src="scene/" title="3-D scene of vehicle, path and target" />}
+      {seen && <iframe src={`scene/?theme=${shade}`} title="3-D scene of vehicle, path and target" />}
       {look !== "live" && (
         <p class="scene-veil">
           {look === "waiting" ? "The vehicle appears here as soon as its node speaks." : "Not live"}
