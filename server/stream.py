@@ -16,8 +16,8 @@ from server.state import State
 from twin.contract import bumpless_pb2 as pb
 
 FRAME_PERIOD_S = 0.05
-PAST_PERIOD_S = 0.25  # what a new browser's plots begin with: coarser, but no gap in their lines
-PAST_FRAMES = 480  # two minutes
+PAST_EVERY = 5  # control cycles: what a new browser's plots begin with is coarser, without gaps
+PAST_FRAMES = 480  # two minutes at 20 Hz
 PLOTTED = tuple(
     f"tlm/{topic}" for topic in ("navigation", "guidance", "supervisor", "control", "allocation", "actuators")
 )
@@ -90,6 +90,7 @@ class Stream:
         self._state = state
         self._clients: tuple[ClientBuffer, ...] = ()
         self._lock = threading.Lock()
+        self._cycles = 0
         self._past: deque[list[Sample]] = deque(maxlen=PAST_FRAMES)
         state.subscribe(self._offer)
 
@@ -98,13 +99,14 @@ class Stream:
 
     def _offer(self, sample: Sample) -> None:
         if sample.topic == PLOTTED[-1]:
-            self._remember(sample)
+            self._remember()
         for client in self._clients:
             client.offer(sample)
 
-    def _remember(self, last: Sample) -> None:
+    def _remember(self) -> None:
         """Keep one cycle's plotted messages now and then; on the dispatcher's thread."""
-        if self._past and last.receive_ns - self._past[-1][-1].receive_ns < PAST_PERIOD_S * 1e9:
+        self._cycles += 1
+        if self._cycles % PAST_EVERY:
             return
         cycle = [self._state.sample(topic) for topic in PLOTTED]
         with self._lock:
