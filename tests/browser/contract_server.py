@@ -74,7 +74,9 @@ class ContractServer:
         """Listen; after a stop, on the same port again."""
         self._loop = asyncio.new_event_loop()
         ready = threading.Event()
-        config = uvicorn.Config(self._app(), host="127.0.0.1", port=self.port, log_level="error", lifespan="off")
+        config = uvicorn.Config(
+            self._app(), host="127.0.0.1", port=self.port, log_level="error", lifespan="off"
+        )
         config.timeout_graceful_shutdown = 1
         self._server = uvicorn.Server(config)
         self._thread = threading.Thread(target=self._serve, args=(ready,), daemon=True)
@@ -141,17 +143,17 @@ class ContractServer:
         for queue in self._sockets.values():
             queue.put_nowait(data)
 
-    def wait_for_call(self, method: str, path: str, timeout_s: float = 10.0) -> Call:
-        """The first request of this kind, when it has come."""
-
-        def found() -> Call | None:
-            return next((c for c in self.calls if (c.method, c.path) == (method, path)), None)
-
+    def calls_of(self, method: str, path: str) -> list[Call]:
+        """The requests of this kind so far, in order."""
         with self._called:
-            assert self._called.wait_for(lambda: found() is not None, timeout_s), f"no {method} {path}"
-            call = found()
-        assert call is not None
-        return call
+            return [call for call in self.calls if (call.method, call.path) == (method, path)]
+
+    def wait_for_call(self, method: str, path: str, count: int = 1, timeout_s: float = 30.0) -> Call:
+        """The `count`-th request of this kind, when it has come."""
+        with self._called:
+            came = self._called.wait_for(lambda: len(self.calls_of(method, path)) >= count, timeout_s)
+        assert came, f"no {method} {path}"
+        return self.calls_of(method, path)[count - 1]
 
     async def _answer(self, request: Request) -> Response:
         path = request.path_params["path"]
@@ -184,7 +186,9 @@ class ContractServer:
             return HTMLResponse(SCENE)
 
         async def page(_: Request) -> Response:
-            return HTMLResponse((self.console / "index.html").read_text(), headers={"content-security-policy": POLICY})
+            return HTMLResponse(
+                (self.console / "index.html").read_text(), headers={"content-security-policy": POLICY}
+            )
 
         return Starlette(
             routes=[

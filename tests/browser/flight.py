@@ -26,7 +26,7 @@ def stamp(time_s: float) -> pb.Stamp:
     return pb.Stamp(time_ns=START_NS + round(time_s * 1e9), mission_time_s=max(0.0, time_s), cycle=cycle)
 
 
-def mode_at(time_s: float) -> tuple[int, int, float]:
+def mode_at(time_s: float) -> tuple[pb.Mode, pb.Mode, float]:
     """Mode, the mode before, and when it was entered, s."""
     if time_s < TO_REVERSE_S:
         return pb.MODE_FORWARD, pb.MODE_UNSPECIFIED, 0.0
@@ -41,10 +41,14 @@ def cycle(time_s: float) -> Messages:
     mode, before, since = mode_at(time_s)
     wave = math.sin(0.7 * time_s)
     speed = {pb.MODE_FORWARD: 0.7, pb.MODE_REVERSE: 0.3, pb.MODE_HOVER: 0.0}[mode]
-    range_m = max(0.3, 24.0 - 0.7 * time_s) if mode == pb.MODE_FORWARD else max(0.2, 7.2 - 0.25 * (time_s - 24))
+    range_m = (
+        max(0.3, 24.0 - 0.7 * time_s) if mode == pb.MODE_FORWARD else max(0.2, 7.2 - 0.25 * (time_s - 24))
+    )
     navigation = pb.Navigation(
         stamp=at,
-        position_ned_m=pb.Vector3(x=0.7 * min(time_s, 24) + 0.25 * max(0.0, time_s - 24), y=0.2 * wave, z=3.0),
+        position_ned_m=pb.Vector3(
+            x=0.7 * min(time_s, 24) + 0.25 * max(0.0, time_s - 24), y=0.2 * wave, z=3.0
+        ),
         attitude=pb.Attitude(roll_deg=0.6 * wave, pitch_deg=-1.2 * wave, yaw_deg=359.5 + 1.5 * wave),
         velocity_body_mps=pb.Vector3(x=speed + 0.02 * wave),
         depth_m=3.0 + 0.05 * wave,
@@ -82,10 +86,16 @@ def cycle(time_s: float) -> Messages:
     )
     share = 0.97 if mode != pb.MODE_HOVER else 0.7
     achieved = pb.Wrench(
-        x_n=demanded.x_n * share, z_n=demanded.z_n, k_nm=demanded.k_nm, m_nm=demanded.m_nm * share, n_nm=0.8 * share
+        x_n=demanded.x_n * share,
+        z_n=demanded.z_n,
+        k_nm=demanded.k_nm,
+        m_nm=demanded.m_nm * share,
+        n_nm=0.8 * share,
     )
     residual = pb.Wrench(
-        x_n=demanded.x_n - achieved.x_n, m_nm=demanded.m_nm - achieved.m_nm, n_nm=demanded.n_nm - achieved.n_nm
+        x_n=demanded.x_n - achieved.x_n,
+        m_nm=demanded.m_nm - achieved.m_nm,
+        n_nm=demanded.n_nm - achieved.n_nm,
     )
     return [
         ("tlm/navigation", navigation),
@@ -133,7 +143,7 @@ def _actuator(index: int, time_s: float) -> pb.Actuator:
     )
 
 
-def mission_status(time_s: float, phase: int = pb.MISSION_PHASE_RUNNING) -> Messages:
+def mission_status(time_s: float, phase: pb.MissionPhase = pb.MISSION_PHASE_RUNNING) -> Messages:
     """Mission status at a mission time."""
     status = pb.MissionStatus(
         stamp=stamp(time_s),
@@ -166,9 +176,7 @@ def parameters() -> pb.Parameters:
     """A full set of parameters."""
 
     def mode(q: Sequence[float], r: float, price: float, ramp: int) -> pb.ModeParameters:
-        return pb.ModeParameters(
-            q_diagonal=q, r_diagonal=[r] * 7, ramp_cycles=ramp, **{"lambda": price}
-        )
+        return pb.ModeParameters(q_diagonal=q, r_diagonal=[r] * 7, ramp_cycles=ramp, **{"lambda": price})
 
     return pb.Parameters(
         forward=mode((1.0, 0.0, 0.5, 2.0, 4.0, 4.0), 1.0, 0.001, 20),
@@ -195,7 +203,7 @@ def parameters_status(active: pb.Parameters, revision: int) -> Messages:
     return [("tlm/parameters", status)]
 
 
-def server_status(link: int = pb.LINK_STATE_LIVE, recording: bool = False) -> Messages:
+def server_status(link: pb.LinkState = pb.LINK_STATE_LIVE, recording: bool = False) -> Messages:
     """What the server says of the link and the recorder."""
     status = pb.ServerStatus(
         vehicle_id="ts100",
@@ -209,12 +217,14 @@ def server_status(link: int = pb.LINK_STATE_LIVE, recording: bool = False) -> Me
     return [("server/status", status)]
 
 
-def event(time_s: float, severity: int, code: str, text: str, **details: str) -> Messages:
+def event(time_s: float, severity: pb.Severity, code: str, text: str, **details: str) -> Messages:
     """One event."""
-    return [("event", pb.Event(stamp=stamp(time_s), severity=severity, code=code, text=text, details=details))]
+    return [
+        ("event", pb.Event(stamp=stamp(time_s), severity=severity, code=code, text=text, details=details))
+    ]
 
 
-def hello(phase: int = pb.MISSION_PHASE_IDLE) -> Messages:
+def hello(phase: pb.MissionPhase = pb.MISSION_PHASE_IDLE) -> Messages:
     """All that a browser is told on connecting to a vehicle that waits for a mission."""
     return [
         *description(),

@@ -87,13 +87,19 @@ def default_replies(server: ContractServer) -> None:
     server.reply("GET", "missions", [docking, current])
     geometry = {
         "path_ned_m": [[0, 0, 2.0], [10, 0, 2.0], [20, 4, 2.3], [24.5, 6, 2.3]],
-        "target": {"position_ned_m": [26, 6.6, 2.3], "heading_deg": 20, "observation_point_ned_m": [24.5, 6, 2.3]},
+        "target": {
+            "position_ned_m": [26, 6.6, 2.3],
+            "heading_deg": 20,
+            "observation_point_ned_m": [24.5, 6, 2.3],
+        },
         "current_ned_mps": [-0.05, 0.08, 0.0],
     }
     for entry in (docking, current):
         text = (MISSIONS / entry["name"]).read_text()
         server.reply("GET", f"missions/{entry['name']}", {**entry, **geometry, "yaml": text})
-    server.reply("GET", "vehicle", {"id": "ts100", "name": "TS-100", "controllable": ["X", "Z", "K", "M", "N"]})
+    server.reply(
+        "GET", "vehicle", {"id": "ts100", "name": "TS-100", "controllable": ["X", "Z", "K", "M", "N"]}
+    )
     server.reply("GET", "parameters", {"revision": 1, "ranges": ranges()})
     server.reply("GET", "presets", [{"name": "calm-sea"}])
     gentle = flight.parameters()
@@ -121,10 +127,18 @@ def run(run_id: str, name: str, state: str, end_reason: str) -> dict[str, Any]:
 
 def ranges() -> list[dict[str, Any]]:
     """Ranges of the parameters that the tests edit."""
-    per_mode = [("q_diagonal", 0.0, 1e6), ("r_diagonal", 1e-6, 1e6), ("lambda", 1e-9, 1e3), ("ramp_cycles", 1, 1000)]
+    per_mode = [
+        ("q_diagonal", 0.0, 1e6),
+        ("r_diagonal", 1e-6, 1e6),
+        ("lambda", 1e-9, 1e3),
+        ("ramp_cycles", 1, 1000),
+    ]
     listed = [
         {"path": f"{mode}.{key}", "unit": "1", "min": low, "max": high, "label": key}
         for mode in ("forward", "reverse", "hover")
         for key, low, high in per_mode
     ]
-    return [*listed, {"path": "supervisor.dwell_cycles", "unit": "cycles", "min": 0, "max": 10000, "label": "dwell"}]
+    return [
+        *listed,
+        {"path": "supervisor.dwell_cycles", "unit": "cycles", "min": 0, "max": 10000, "label": "dwell"},
+    ]

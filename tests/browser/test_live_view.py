@@ -44,11 +44,17 @@ def test_saturated_and_limited_actuators_are_marked_by_shape(console: Page, serv
     expect(rows.nth(0).locator(".flag svg")).to_have_count(0)
 
 
-def test_a_vehicle_with_other_actuators_and_sway_is_shown_whole(console: Page, server: ContractServer) -> None:
+def test_a_vehicle_with_other_actuators_and_sway_is_shown_whole(
+    console: Page, server: ContractServer
+) -> None:
     """Protects against a screen that knows one vehicle only."""
-    server.reply("GET", "vehicle", {"id": "blue", "name": "Blue", "controllable": ["X", "Y", "Z", "K", "M", "N"]})
+    server.reply(
+        "GET", "vehicle", {"id": "blue", "name": "Blue", "controllable": ["X", "Y", "Z", "K", "M", "N"]}
+    )
     names = [f"thruster_{k}" for k in range(1, 9)]
-    about = pb.VehicleDescription(vehicle_id="blue", vehicle_name="Blue", actuator_names=names, session_id="two")
+    about = pb.VehicleDescription(
+        vehicle_id="blue", vehicle_name="Blue", actuator_names=names, session_id="two"
+    )
     drives = [pb.Actuator(name=n, unit="rpm", amplitude_lower=-900, amplitude_upper=900) for n in names]
     actuators = pb.Actuators(stamp=flight.stamp(1), actuators=drives)
     server.keep_saying([*flight.hello(), ("tlm/description", about), ("tlm/actuators", actuators)])
@@ -73,12 +79,16 @@ def test_a_lost_link_is_a_banner(console: Page, server: ContractServer) -> None:
     expect(console.get_by_role("button", name="Start", exact=True)).to_be_disabled()
 
 
-def test_a_lost_server_is_a_banner_and_the_page_comes_back_by_itself(console: Page, server: ContractServer) -> None:
+def test_a_lost_server_is_a_banner_and_the_page_comes_back_by_itself(
+    console: Page, server: ContractServer
+) -> None:
     """Protects the restart of a server under an open page."""
     banner = console.get_by_role("alert").filter(has_text="Connection to the server lost")
     server.stop()
     expect(banner).to_be_visible()
-    expect(console.get_by_label("State", exact=True).locator(".panel-body")).to_have_attribute("data-state", "stale")
+    expect(console.get_by_label("State", exact=True).locator(".panel-body")).to_have_attribute(
+        "data-state", "stale"
+    )
     server.start()
     expect(banner).to_have_count(0)
     expect(console.get_by_label("Link: Live")).to_be_visible()

@@ -120,17 +120,18 @@ function Chooser({ disabled }: { disabled: boolean }) {
         void startChosen();
       }}
     >
-      <label>
-        <span class="sr">Mission</span>
-        <select value={commandState.chosen} onChange={(event) => choose(event.currentTarget.value)}>
-          {list.length === 0 && <option value="">No missions</option>}
-          {list.map((mission) => (
-            <option key={mission.name} value={mission.name}>
-              {mission.title || mission.name}
-            </option>
-          ))}
-        </select>
-      </label>
+      <select
+        aria-label="Mission"
+        value={commandState.chosen}
+        onChange={(event) => choose(event.currentTarget.value)}
+      >
+        {list.length === 0 && <option value="">No missions</option>}
+        {list.map((mission) => (
+          <option key={mission.name} value={mission.name}>
+            {mission.title || mission.name}
+          </option>
+        ))}
+      </select>
       <label class="seed">
         <span class="muted">Seed</span>
         <input
