@@ -16,6 +16,11 @@ from typing import Any
 import numba
 import numpy as np
 
+try:
+    from twin.compiled_parts import Function
+except ImportError:
+    Function = None
+
 
 def compiled_sources(root: Path = Path(__file__).parent) -> list[Path]:
     """Every file under `root` (the package `twin`) that compiled code can depend on, sorted."""
@@ -31,9 +36,6 @@ def compiled_sources(root: Path = Path(__file__).parent) -> list[Path]:
                 module = root / name.replace(".", "/")
                 waiting += [module.with_suffix(".py"), module / "__init__.py"]
     return sorted(found)
-
-
-_MARKS = (b"from twin.compiled import", b"from numba import", b"import numba")
 
 
 def _digest() -> str:
@@ -53,11 +55,14 @@ if not os.environ.get("NUMBA_CACHE_DIR"):
     numba.config.CACHE_DIR = str(cache_folder())  # type: ignore[attr-defined]
 
 
+_OPTIONS = {"nopython": True, "nogil": True, "error_model": "numpy"}
+
+
 def jit(function: Callable[..., Any]) -> Any:
     """Compile on first call, without the GIL, cached on disk; NumPy's rules for division by zero."""
+    if Function is not None:
+        return Function(function, _OPTIONS)
     return numba.njit(cache=True, nogil=True, error_model="numpy")(function)
 
 
-def inline(function: Callable[..., Any]) -> Any:
-    """As `jit`; for the smallest functions, which LLVM then inlines into their callers."""
-    return numba.njit(cache=True, nogil=True, error_model="numpy")(function)
+inline = jit  # the smallest functions, named so for the reader: LLVM puts them into their callers
