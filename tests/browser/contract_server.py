@@ -24,7 +24,7 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 from server.routes.page import static_folder
 from twin.contract import bumpless_pb2 as pb
 
-POLICY = "default-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data:; connect-src 'self'"
+POLICY = "default-src 'self'"
 NOW_NS = 1_770_000_000_000_000_000
 BEAT_S = 0.05
 SCENE = "<!doctype html><title>scene</title><body style='margin:0;background:#123'></body>"

@@ -35,7 +35,7 @@ def mode_at(time_s: float) -> tuple[pb.Mode, pb.Mode, float]:
     return pb.MODE_HOVER, pb.MODE_REVERSE, TO_HOVER_S
 
 
-def cycle(time_s: float) -> Messages:
+def cycle(time_s: float, phase: pb.MissionPhase = pb.MISSION_PHASE_RUNNING) -> Messages:
     """What a vehicle says in one control cycle."""
     at = stamp(time_s)
     mode, before, since = mode_at(time_s)
@@ -67,6 +67,7 @@ def cycle(time_s: float) -> Messages:
     seen = time_s > 18
     supervisor = pb.Supervisor(
         stamp=at,
+        phase=phase,
         mode=mode,
         previous_mode=before,
         range_m=range_m,
@@ -231,5 +232,5 @@ def hello(phase: pb.MissionPhase = pb.MISSION_PHASE_IDLE) -> Messages:
         *server_status(),
         *mission_status(0.0, phase),
         *parameters_status(parameters(), 1),
-        *cycle(0.0),
+        *cycle(0.0, phase),
     ]

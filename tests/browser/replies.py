@@ -64,6 +64,7 @@ def metrics() -> pb.Metrics:
         solve_time_p95_us=21.0,
         solve_time_max_us=112.0,
         final_range_m=0.21,
+        solved_ratio=0.998,
     )
 
 

@@ -133,6 +133,15 @@ def test_nothing_overlaps_or_scrolls(console: Page, server: ContractServer, size
     console.set_viewport_size({"width": size[0], "height": size[1]})
     server.keep_saying(in_flight(46.5))
     expect(console.get_by_label("Mode Hover")).to_be_visible()
+    assert_tidy(console, size)
+    server.keep_saying(flight.server_status(link=pb.LINK_STATE_LOST))
+    expect(console.get_by_role("alert").filter(has_text="Link to the vehicle lost")).to_be_visible()
+    expect(console.get_by_test_id("age-tlm/control")).to_be_visible()
+    assert_tidy(console, size)
+
+
+def assert_tidy(console: Page, size: tuple[int, int]) -> None:
+    """No page scroll, no panel over another, no panel's title line wider than the panel."""
     page = console.evaluate("[document.documentElement.scrollWidth, document.documentElement.scrollHeight]")
     assert page == list(size)
     panels = console.evaluate(
@@ -140,6 +149,8 @@ def test_nothing_overlaps_or_scrolls(console: Page, server: ContractServer, size
         " const b = p.getBoundingClientRect(); return [p.ariaLabel, b.left, b.top, b.right, b.bottom] })"
     )
     assert len(panels) == 8
+    heads = console.locator(".live .panel-head")
+    assert heads.evaluate_all("all => all.filter(h => h.scrollWidth > h.clientWidth + 1).length") == 0
     for i, (name, left, top, right, bottom) in enumerate(panels):
         assert left >= 0 and top >= 0 and right <= size[0] and bottom <= size[1], name
         for other, left2, top2, right2, bottom2 in panels[i + 1 :]:

@@ -16,6 +16,7 @@ def test_a_finished_run_shows_its_metrics_and_can_be_downloaded(console: Page) -
     expect(metrics).to_contain_text("r_sat21.7 %")
     expect(metrics).to_contain_text("d_u F→R0.0456 of bound")
     expect(metrics).to_contain_text("d_u R→H0.0321 of bound")
+    expect(metrics).to_contain_text("Solved99.8 %")
     expect(metrics.get_by_role("table", name="By mode").get_by_role("row")).to_have_count(9)
     expect(metrics.get_by_role("table", name="Switches").get_by_role("row").nth(1)).to_contain_text("24.05")
     expect(metrics.get_by_role("table", name="Allocator's run time")).to_contain_text("112")

@@ -40,7 +40,8 @@ function Status() {
   const allocation = live.latest("tlm/allocation");
   if (!allocation) return null;
   const { name, look, about, Icon } = STATUS[allocation.status];
-  return <span class="chip" data-look={look} title={about}><Icon /> {name}</span>;
+  const state = live.isFresh("tlm/allocation") ? "fresh" : "stale";
+  return <span class="chip" data-look={look} data-state={state} title={about}><Icon /> {name}</span>;
 }
 
 function Figures() {

@@ -83,7 +83,10 @@ function Vehicle() {
 function Recording() {
   useFrame();
   const status = live.latest("server/status");
-  const on = Boolean(status?.recording) && live.isFresh("server/status");
+  if (status && !live.isFresh("server/status")) {
+    return <span class="chip" data-look="off" title="The server does not answer"><HollowIcon size={11} /> Recording unknown</span>;
+  }
+  const on = Boolean(status?.recording);
   const lost = Number(status?.recorderDropped ?? 0n);
   return (
     <span

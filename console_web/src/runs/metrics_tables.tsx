@@ -14,12 +14,17 @@ export function MetricsTables({ metrics: m }: { metrics: Metrics }) {
         <Cell name="d_u F→R" value={fixed(m.dUFr, 4)} unit="of bound" about="Largest step of the bound-normalised command around F to R" />
         <Cell name="d_u R→H" value={fixed(m.dURh, 4)} unit="of bound" about="Largest step of the bound-normalised command around R to H" />
         <Cell name="Final range" value={fixed(m.finalRangeM, 2)} unit="m" about="Range to the observation point at the end" />
-        <Cell name="Duration" value={fixed(m.durationS, 1)} unit="s" about={`${m.cycles} control cycles`} />
+        <Cell name="Duration" value={fixed(m.durationS, 1)} unit="s"
+          about={`${m.cycles} control cycles in the log, ${m.missingCycles} missing`} />
+        <Cell name="Solved" value={fixed(100 * m.solvedRatio, 1)} unit="%"
+          about="Share of cycles whose allocation met its tolerance" />
         <div title="Cycles in which a command or the demand stepped farther than allowed: must be 0">
           <dt>Proposition 1</dt>
           <dd class={violations ? "lost" : "good"}>
             {violations ? <AlarmIcon size={12} /> : <CheckIcon size={12} />} <b class="num">{violations}</b>
-            <span class="unit"> violations</span>
+            <span class="unit">
+              {violations ? ` violations: ${m.incrementViolations} command, ${m.demandStepViolations} demand` : " violations"}
+            </span>
           </dd>
         </div>
       </dl>

@@ -39,7 +39,7 @@ export class History {
     if (time === previous) return;
     if (time < previous) this.clear();
     // A simulated vehicle is put at the start of its mission: that jump is no motion.
-    const phase = store.latest("tlm/mission")?.phase;
+    const phase = store.latest("tlm/supervisor")?.phase || store.latest("tlm/mission")?.phase;
     const flying = phase === MissionPhase.RUNNING || phase === MissionPhase.PAUSED;
     if (time - previous > GAP || (flying && !this.flying)) this.push(previous + 0.01, Mode.UNSPECIFIED, {});
     if (flying) this.missionStart = time - nav.stamp.missionTimeS;
