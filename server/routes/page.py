@@ -26,6 +26,7 @@ class Page(StaticFiles):
     def file_response(self, full_path, *args, **kwargs) -> Response:  # type: ignore[no-untyped-def]
         response = super().file_response(full_path, *args, **kwargs)
         hashed = Path(full_path).parent.name == "assets"
+        response.headers["content-security-policy"] = "default-src 'self'"
         response.headers["cache-control"] = "public, max-age=31536000, immutable" if hashed else "no-cache"
         return response
 
