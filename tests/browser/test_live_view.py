@@ -8,6 +8,7 @@ from tests.browser.contract_server import ContractServer
 from twin.contract import bumpless_pb2 as pb
 
 SIZES = [(1440, 900), (1024, 768)]
+WIDER_THAN_ROOM = "all => all.filter(head => head.scrollWidth > head.clientWidth + 1).length"
 
 
 def in_flight(time_s: float) -> list:
@@ -150,7 +151,7 @@ def assert_tidy(console: Page, size: tuple[int, int]) -> None:
     )
     assert len(panels) == 8
     heads = console.locator(".live .panel-head")
-    assert heads.evaluate_all("all => all.filter(h => h.scrollWidth > h.clientWidth + 1).length") == 0
+    assert heads.evaluate_all(WIDER_THAN_ROOM) == 0
     for i, (name, left, top, right, bottom) in enumerate(panels):
         assert left >= 0 and top >= 0 and right <= size[0] and bottom <= size[1], name
         for other, left2, top2, right2, bottom2 in panels[i + 1 :]:

@@ -143,3 +143,20 @@ def test_a_run_is_announced_before_its_first_row_and_ended_after_its_last() -> N
         i for i, (topic, m) in enumerate(told) if topic == "event" and m.code == "mission_aborted"
     )
     assert first_aborted < over
+
+
+def test_the_elapsed_time_of_a_run_stops_with_it() -> None:
+    """A run that is over does not grow older on the operator's screen."""
+    flying = Flying()
+    assert flying.start().accepted
+    flying.clock.fly(30)
+    assert flying.ask("abort").accepted
+    flying.clock.fly(40)
+    teller = Teller(flying.vehicle, flying.flight.chosen)
+    over = [
+        message.elapsed_s
+        for cycle in flying.end()
+        for topic, message in teller.tell(cycle.row, cycle.state, cycle.events, cycle.time_ns, cycle.number)
+        if topic == "tlm/mission" and message.phase == pb.MISSION_PHASE_ABORTED
+    ]
+    assert len(over) > 1 and len(set(over)) == 1 and over[0] > 0

@@ -51,6 +51,7 @@ class Teller:
         self._state: status.FlightState | None = None
         self._phase = pb.MISSION_PHASE_UNSPECIFIED
         self._end_reason = ""
+        self._ended_s = 0.0  # mission time at which the run was over
 
     def repeat(self) -> None:
         """Say every slow topic with the next cycle: somebody new may be listening."""
@@ -103,8 +104,13 @@ class Teller:
         self, name: str, stamp: pb.Stamp, state: status.FlightState, phase: int
     ) -> Message | None:
         if name == "mission":
-            reason = self._end_reason if phase in ENDED else ""
-            return status.mission_status(stamp, state, phase, reason)
+            if phase not in ENDED:
+                return status.mission_status(stamp, state, phase)
+            if self._phase not in ENDED:
+                self._ended_s = stamp.mission_time_s
+            message = status.mission_status(stamp, state, phase, self._end_reason)
+            message.elapsed_s = self._ended_s
+            return message
         if name == "plan":
             return None if state.mission is None else status.plan(stamp, state.mission)
         if name == "parameters":
