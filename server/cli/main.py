@@ -2,7 +2,7 @@
 
 import typer
 
-from server.cli import envelope, metrics, repair, run, validate, vehicle
+from server.cli import envelope, metrics, repair, reproduce, run, validate, vehicle
 from server.cli.serve_command import serve
 
 app = typer.Typer(
@@ -31,6 +31,7 @@ app.command()(validate.validate)
 app.command()(metrics.metrics)
 app.command()(envelope.envelope)
 app.command()(repair.repair)
+app.command()(reproduce.reproduce)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,40 @@
+"""The parts of the report, in the order of the page. Each is `part(progress) -> Part`.
+
+progress: called with the share done, 0 to 1.
+"""
+
+from collections.abc import Callable
+from importlib import import_module
+
+from twin.report.content import Part
+
+Progress = Callable[[float], None]
+
+# name of `--only` -> module here
+PARTS: dict[str, str] = {
+    "table3": "envelopes",
+    "identify": "identify",
+    "remus": "remus",
+    "physics": "physics",
+    "vehicles": "vehicles",
+    "tank": "tank",
+}
+
+# tables and figures by their names -> the part that makes them
+ALIASES: dict[str, str] = {"envelopes": "table3", "tableA5": "tank", "tableA6": "tank"}
+
+
+def wanted_parts(only: list[str]) -> list[str]:
+    """Parts to make, in the order of the page; all for an empty list. KeyError names what is unknown."""
+    chosen = []
+    for name in only:
+        part = ALIASES.get(name, name)
+        if part not in PARTS:
+            raise KeyError(name)
+        chosen.append(part)
+    return [name for name in PARTS if not only or name in chosen]
+
+
+def run_part(name: str, progress: Progress = lambda _: None) -> Part:
+    """Make one part; its modules are imported only now."""
+    return import_module(f"twin.report.parts.{PARTS[name]}").part(progress)

@@ -1,0 +1,46 @@
+"""Round numbers along an axis, and numbers as people write them."""
+
+import math
+
+
+def ticks(low: float, high: float, count: int = 6) -> list[float]:
+    """About `count` round values within [low, high]."""
+    span = high - low
+    if not math.isfinite(span) or span <= 0.0:
+        return [low]
+    step = 10.0 ** math.floor(math.log10(span / count))
+    step *= min((m for m in (1.0, 2.0, 5.0, 10.0) if span / (m * step) <= count), default=10.0)
+    first = math.ceil(low / step - 1e-9)
+    last = math.floor(high / step + 1e-9)
+    return [k * step for k in range(first, last + 1)]
+
+
+def decades(low: float, high: float) -> list[float]:
+    """Powers of ten within [low, high]."""
+    return [
+        10.0**k for k in range(math.ceil(math.log10(low) - 1e-9), math.floor(math.log10(high) + 1e-9) + 1)
+    ]
+
+
+def number(value: object, digits: int = 4) -> str:
+    """A value for a table: four significant digits, a dash when there is none."""
+    if value is None:
+        return "–"
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, int):
+        return f"{value:,}".replace(",", " ") if abs(value) >= 10_000 else str(value)
+    if isinstance(value, float):
+        if not math.isfinite(value):
+            return "–"
+        return f"{value:.{digits}g}".replace("-", "−")
+    return str(value)
+
+
+def percent(value: float | None) -> str:
+    """A share as a signed percentage."""
+    if value is None:
+        return ""
+    shown = value * 100.0
+    text = f"{shown:+.1f}" if abs(shown) < 100 else f"{shown:+.0f}"
+    return f"{text} %".replace("-", "−")
