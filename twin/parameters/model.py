@@ -73,8 +73,8 @@ class AllocationParameters:
 
     allocator: Allocator = "mdca"
     solver: Solver = "osqp"
-    sqp_iterations: int = 3
-    kkt_tolerance: float = 1e-4  # of the projected gradient in bound-normalised commands
+    sqp_iterations: int = 8
+    kkt_tolerance: float = 1e-6  # of the projected gradient in bound-normalised commands
     fault_tolerant: bool = False  # allocate with the degraded map and softened constraints
     anti_windup_per_s: float = 1.0  # feedback of the allocation residual into the integrals
 
