@@ -15,6 +15,7 @@ from typing import Any
 
 from numba.core import compiler, dispatcher, sigutils, types
 from numba.core.codegen import JITCodeLibrary
+from numba.core.imputils import lower_cast
 from numba.core.registry import CPUDispatcher
 
 _Compiler: Any = getattr(dispatcher, "_FunctionCompiler", None)
@@ -61,6 +62,18 @@ class _PartCompiler(_Compiler):
         )  # fmt: skip
 
 
+@lower_cast(types.NestedArray, types.Array)
+def _field_as_array(context: Any, builder: Any, fromty: Any, toty: Any, val: Any) -> Any:
+    return val  # both are the same structure in memory
+
+
+def _plain(kind: Any) -> Any:
+    """An argument's type without its value or its record, so that a part is made once and not per caller."""
+    if isinstance(kind, types.NestedArray):
+        return types.Array(kind.dtype, kind.ndim, "C")
+    return types.unliteral(kind)
+
+
 class _Part(CPUDispatcher):
     """What compiled callers see of a function."""
 
@@ -68,6 +81,9 @@ class _Part(CPUDispatcher):
         super().__init__(py_func, targetoptions=targetoptions)
         self._compiler = _PartCompiler(py_func, self.targetdescr, targetoptions, {}, compiler.Compiler)
         self._keys: dict[Any, object] = {}
+
+    def get_call_template(self, args: Any, kws: Any) -> Any:
+        return super().get_call_template(tuple(_plain(a) for a in args), kws)
 
     def add_overload(self, cres: Any) -> None:
         arguments = tuple(cres.signature.args)

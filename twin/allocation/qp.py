@@ -83,13 +83,7 @@ def _answers_rightly(handle: np.ndarray) -> bool:
         H = G.T @ G + MAX_ACTUATORS * np.eye(MAX_ACTUATORS)
         g = rng.normal(size=MAX_ACTUATORS) * MAX_ACTUATORS
         ub = rng.uniform(0.1, 1.0, size=MAX_ACTUATORS)
-        exact, x = np.zeros(MAX_ACTUATORS), np.zeros(MAX_ACTUATORS)
-        state = np.zeros(MAX_ACTUATORS, dtype=np.int64)
-        solve_active_set(H, g, -ub, ub, exact, MAX_ACTUATORS)
-        if start(handle, H, g, -ub, ub, x, MAX_ACTUATORS, state) < 1:
-            return False
-        guess, holds = np.array([state == LOWER, state == UPPER]), np.array([exact == -ub, exact == ub])
-        right += int((guess == holds).all(axis=0).sum())
+        right += right_guesses(handle, H, g, -ub, ub)
     return right >= 0.8 * 24 * MAX_ACTUATORS
 
 
@@ -108,6 +102,19 @@ def start(handle, H, g, lb, ub, x, n, state):
     if handle[SOLVER] == OSQP_PUBLIC or handle[SOLVER] == DAQP:
         return qp_python.ask(handle, H, g, lb, ub, x, n, state)
     return -1
+
+
+@jit
+def right_guesses(handle, H, g, lb, ub):
+    """For how many variables the handle's solver knows whether and which bound holds; -1000 if it failed."""
+    exact, x, state = np.zeros(_N), np.zeros(_N), np.zeros(_N, np.int64)
+    if start(handle, H, g, lb, ub, x, _N, state) < 1:
+        return -1000
+    solve_active_set(H, g, lb, ub, exact, _N)
+    right = 0
+    for i in range(_N):
+        right += (state[i] == LOWER) == (exact[i] == lb[i]) and (state[i] == UPPER) == (exact[i] == ub[i])
+    return right
 
 
 @jit
