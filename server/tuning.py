@@ -43,7 +43,7 @@ def parse(given: Any, vehicle: Vehicle | None) -> pb.Parameters:
     message = pb.Parameters()
     try:
         json_format.ParseDict(given, message)
-    except json_format.ParseError as error:
+    except (json_format.ParseError, OverflowError) as error:
         raise TuningError([Problem("", None, None, "", None, str(error))]) from error
     if vehicle is not None:
         problems = check(from_message(message, default_parameters(vehicle)), vehicle)

@@ -1,6 +1,7 @@
 """YAML as a tree of nodes that know their place, so that every complaint can name line and column."""
 
 import io
+import math
 import re
 from typing import Any
 
@@ -12,7 +13,9 @@ from twin.problems import Problem
 
 LARGEST_FILE = 32_768  # characters; a mission is a page of text
 _DEEPEST = 6
+_LARGEST_BITS = 1024  # of a whole number: a larger one has no place among floats and counts as infinite
 _DEEPEST_FLOW = 50  # brackets and indicators in a row that cost the YAML scanner more than linear time
+_HALF_CHARACTER = re.compile("[\ud800-\udfff]")
 
 
 class Document:
@@ -51,10 +54,13 @@ class Document:
         return None if self._refuse_shape(root, 0, set()) else root
 
     def _refuse_shape(self, node: Node, depth: int, seen: set[int]) -> bool:
-        """Whether the tree is no tree (aliases) or too deep; either could make reading endless."""
+        """Whether the tree is no tree (aliases) or too deep, either of which could make reading endless,
+        or holds text that cannot be written down as UTF-8."""
         rule = "is nested too deeply" if depth > _DEEPEST else ""
         if id(node) in seen:
             rule = "anchors and aliases are not used in mission files"
+        if isinstance(node, ScalarNode) and _HALF_CHARACTER.search(node.value):
+            rule = "holds half of a character (a surrogate), which no text may"
         if rule:
             line, column = node.start_mark.line + 1, node.start_mark.column + 1
             self.problems.append(Problem(self.source, line, column, "", None, rule))
@@ -127,7 +133,8 @@ def scalar(node: Node) -> Any:
     value: str = node.value
     try:
         if kind == "int":
-            return int(value.replace("_", ""), 0)
+            number = int(value.replace("_", ""), 0)
+            return number if number.bit_length() < _LARGEST_BITS else math.inf if number > 0 else -math.inf
         if kind == "float":
             return float(value.replace("_", "").lower().replace(".inf", "inf").replace(".nan", "nan"))
     except ValueError:

@@ -19,7 +19,7 @@ async def _body(console: Served, request: Request) -> Any:
     text = await limited_text(request, console.settings.upload_bytes)
     try:
         return json.loads(text)
-    except ValueError as error:
+    except (ValueError, RecursionError) as error:
         raise Refusal(422, f"must be JSON: {error}") from error
 
 

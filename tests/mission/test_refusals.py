@@ -40,6 +40,13 @@ def test_a_fault_names_its_place_field_value_and_rule(good: str, ts100: Vehicle)
         (("vehicle: ts100", "vehicle: other"), "vehicle", "must be ts100"),
         (("version: 1", "version: 1\nversion: 1"), "version", "appears twice; first on line 1"),
         (("version: 1", "version: 1\nseed: 1.5"), "seed", "whole number"),
+        (("version: 1", f"version: 1\nseed: {10**400}"), "seed", "must be a finite number"),
+        (
+            ("version: 1", f"version: 1\nparameters: {{hover: {{lambda: {10**400}}}}}"),
+            "parameters.hover.lambda",
+            "must be between",
+        ),
+        (("version: 1", 'version: 1\ntitle: "half \\ud800"'), "", "holds half of a character"),
         (("version: 1", "version: 1\nfaults: 3"), "faults", "must be a list"),
         (("version: 1", "version: 1\nend: 3"), "end", "must hold named fields"),
         (

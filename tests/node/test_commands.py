@@ -118,6 +118,21 @@ def test_a_request_that_fails_on_the_loop_does_not_stop_it(flying: Flying) -> No
     assert flying.start().accepted
 
 
+def test_a_request_whose_check_breaks_is_refused_too(
+    flying: Flying, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The thread that answers must outlive what nobody foresaw, or the vehicle is deaf from then on."""
+
+    def broken(*_: object) -> None:
+        raise ArithmeticError("no such number")
+
+    with monkeypatch.context() as patched:
+        patched.setattr("twin.parameters.check", broken)
+        reply = flying.ask("set_parameters", to_message(flying.flight.chosen).SerializeToString())
+    assert not reply.accepted and "ArithmeticError: no such number" in reply.reason
+    assert flying.start().accepted
+
+
 def test_a_request_refused_for_silence_is_not_carried_out_later(flying: Flying) -> None:
     """The loop stands still, the answer is no; when the loop goes on, the request is withdrawn."""
     carried_out: list[Flight] = []

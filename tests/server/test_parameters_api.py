@@ -48,7 +48,10 @@ def test_what_is_wrong_is_refused_with_every_problem(running: Running) -> None:
         answer = running.http.put("/api/parameters", json=bad)
         assert answer.status_code == 422
         assert answer.json()["problems"][0]["field"] == field
-    for text in (b"[]", b"{", b"null", b"\xff"):
+    whole = running.http.get("/api/parameters").text
+    huge = whole[whole.index('{"forward"') : whole.index(',"defaults"')].replace("0.002", "1" + "0" * 400, 1)
+    assert len(huge) > 1000
+    for text in (b"[]", b"{", b"null", b"\xff", b"[" * 100_000, huge.encode()):
         assert running.http.put("/api/parameters", content=text).status_code == 422
     assert running.http.get("/api/parameters").json()["revision"] == good["revision"]
 

@@ -84,6 +84,12 @@ class Commander:
             request = keys.COMMANDS[verb].FromString(payload)
         except DecodeError:
             return self._refuse(verb, f"the request is not a {keys.COMMANDS[verb].DESCRIPTOR.full_name}")
+        try:
+            return self._carry_out(verb, request)
+        except Exception as fault:  # one bad request must not leave the vehicle deaf to the next
+            return self._refuse(verb, f"{type(fault).__name__}: {fault}")
+
+    def _carry_out(self, verb: str, request: Message) -> pb.CommandReply:
         if verb == "shutdown":
             return pb.CommandReply(accepted=True, reason="the vehicle node is stopping")
         if verb == "start":

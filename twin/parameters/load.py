@@ -103,6 +103,8 @@ def _convert(kind: Any, raw: Any) -> tuple[Any, str]:
 
 
 def _is_number(raw: Any) -> bool:
+    if isinstance(raw, int) and raw.bit_length() >= 1024:
+        return False  # too large for a float
     return isinstance(raw, int | float) and not isinstance(raw, bool)
 
 
