@@ -4,7 +4,7 @@ Order of the paper's loop (Gao et al. 2026, fig. 7 and 8): navigation, superviso
 switching, allocation. Everything it remembers is in one AUTOPILOT record.
 """
 
-from math import hypot
+from math import exp, hypot
 
 from twin.actuators import total_wrench
 from twin.allocation.baselines import allocate_direct, allocate_wls
@@ -14,10 +14,10 @@ from twin.clock import monotonic
 from twin.compiled import jit
 from twin.guidance import guide, observation_point
 from twin.navigation import navigate
-from twin.pid import demand, tracking_error
+from twin.pid import demand, smooth_errors, tracking_error
 from twin.records import HOVER, MDCA, WLS
 from twin.supervisor import filter_detection, supervise
-from twin.switching import begin_ramp, blend, transition_factor
+from twin.switching import begin_ramp, blend, report_slack, soften, transition_factor
 
 _LONG_AGO = -1_000_000_000
 
@@ -30,7 +30,9 @@ def reset_autopilot(modes, plan, model, a):
         a.nu[k] = 0.0
         a.integral[k] = a.bias[k] = a.reference[k] = 0.0
         a.tau_d[k] = a.tau_c[k] = a.tau_plus[k] = a.tau_minus[k] = a.slack[k] = 0.0
-        a.Q[k] = a.Q_minus[k] = modes[0].Q[k]
+        a.Q[k] = a.Q_minus[k] = a.Q_mode[k] = modes[0].Q[k]
+        a.smooth_error[k] = a.smooth_rate[k] = 0.0
+        a.K_I[k] = modes[0].K_I[k]
     for i in range(a.u.shape[0]):
         a.u[i] = 0.0
         a.R[i] = a.R_minus[i] = modes[0].R[i]
@@ -39,6 +41,8 @@ def reset_autopilot(modes, plan, model, a):
         a.target[k] = plan.target[k]
         a.current[k] = 0.0
     a.lam = a.lam_minus = modes[0].lam
+    a.increment_share = a.increment_share_minus = a.step_share = modes[0].increment_share
+    a.increment_price = a.fault_share = 0.0
     a.cycle = a.fixes = a.leg = a.mode = a.previous_mode = 0
     a.history = a.hold_left = a.detected = a.holding = a.saturated = 0
     a.switch_cycle = a.ramp_cycle = _LONG_AGO
@@ -53,7 +57,9 @@ def reset_autopilot(modes, plan, model, a):
 
 @jit
 def believe_faults(settings, plan, a):
-    """Effectiveness as the allocator believes it: known when fault tolerant, nominal otherwise."""
+    """Effectiveness as the allocator believes it: known when fault tolerant, nominal otherwise. a.fault_share
+    says how far a known fault is blended in."""
+    a.fault_share = 0.0
     for i in range(a.effectiveness.shape[0]):
         a.effectiveness[i] = 1.0
     if settings.fault_tolerant == 1:
@@ -61,14 +67,18 @@ def believe_faults(settings, plan, a):
             elapsed = a.time - plan.fault_time[f]
             if elapsed > 0.0:
                 share = min(1.0, elapsed / plan.fault_blend[f]) if plan.fault_blend[f] > 0.0 else 1.0
-                a.effectiveness[plan.fault_actuator[f]] = 1.0 + share * (plan.fault_effectiveness[f] - 1.0)
+                a.fault_share = max(a.fault_share, share)
+                if settings.degraded_map == 1:
+                    a.effectiveness[plan.fault_actuator[f]] = 1.0 + share * (
+                        plan.fault_effectiveness[f] - 1.0
+                    )
 
 
 @jit
 def allocate(handle, settings, model, a, w):
     """Commands of this cycle for a.tau_d, by the chosen allocator, and the wrench they achieve."""
     started = monotonic()  # pyright: ignore[reportCallIssue]
-    feasible = command_bounds(model, a.u, settings.dt, a.u_lower, a.u_upper, a.du_max)
+    feasible = command_bounds(model, a.u, settings.dt * a.step_share, a.u_lower, a.u_upper, a.du_max)
     if settings.allocator == MDCA:
         allocate_mdca(handle, settings, model, a, w)
     elif settings.allocator == WLS:
@@ -79,7 +89,22 @@ def allocate(handle, settings, model, a, w):
         a.status = INFEASIBLE
     a.solve_time = monotonic() - started  # pyright: ignore[reportCallIssue]
     total_wrench(model, a.u, a.effectiveness, a.nu_r, a.tau_c)
+    report_slack(settings, a)
     a.saturated = any_active(model, a.u, a.u_lower, a.u_upper)
+
+
+@jit
+def smooth_flow(settings, a):
+    """Lag a.nu_r (6,), so that noise of the velocity log does not reach the fins through the map.
+
+    Of the turning rates only a share may be seen: what fins do by themselves against turning is then left
+    to the hull as damping instead of being undone.
+    """
+    t = settings.flow_filter
+    k = 1.0 - exp(-settings.dt / t) if t > 0.0 and a.cycle > 0 else 1.0
+    for i in range(6):
+        a.flow[i] += k * (a.nu_r[i] - a.flow[i])
+        a.nu_r[i] = a.flow[i] if i < 3 else settings.flow_rates * a.flow[i]
 
 
 @jit
@@ -98,6 +123,7 @@ def autopilot_step(handle, settings, modes, sensors, plan, model, m, a, w, chang
     begins without a mode switch. work: scratch, at least 9 floats.
     """
     navigate(settings, sensors, m, a, work)
+    smooth_flow(settings, a)
     if m.fresh == 1:
         filter_detection(settings, a, m.detected)
     point = work[6:9]
@@ -110,6 +136,7 @@ def autopilot_step(handle, settings, modes, sensors, plan, model, m, a, w, chang
             change = 1
     guide(settings, plan, a, point, work)
     tracking_error(a)
+    smooth_errors(settings, a)
     gains = modes[HOVER if a.holding == 1 else a.mode]
     if change == 1:
         begin_ramp(settings, gains, a)
@@ -117,8 +144,9 @@ def autopilot_step(handle, settings, modes, sensors, plan, model, m, a, w, chang
     demand(settings, gains, a)
     for k in range(6):
         a.tau_plus[k] *= model.controllable[k]
-    blend(gains, a)
+    blend(settings, gains, a)
     believe_faults(settings, plan, a)
+    soften(settings, a)
     allocate(handle, settings, model, a, w)
     if a.mode == HOVER and a.holding == 0 and a.range <= settings.d_rh_u:
         a.hover_time += settings.dt

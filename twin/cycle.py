@@ -59,11 +59,27 @@ def write_row(settings, plan, model, plant, m, a, phase, row, work):
 
 @jit
 def closed_loop(
-    handle, settings, modes, sensors, plan, model, plant, m, a, w, phase, change, noise, row, work
+    handle,
+    settings,
+    modes,
+    sensors,
+    plan,
+    model,
+    plant_model,
+    plant,
+    m,
+    a,
+    w,
+    phase,
+    change,
+    noise,
+    row,
+    work,
 ):
     """One control cycle of plant and autopilot; fills `row`. Returns the phase after it.
 
-    noise (N_NOISE,): this cycle's standard normal samples. While idle the plant is moored.
+    model is what the autopilot knows, plant_model what is true. noise (N_NOISE,): this cycle's standard
+    normal samples. While idle the plant is moored.
     """
     if phase == IDLE:
         stop_actuators(settings, model, a)
@@ -76,7 +92,7 @@ def closed_loop(
     else:
         autopilot_step(handle, settings, modes, sensors, plan, model, m, a, w, change, work)
     write_row(settings, plan, model, plant, m, a, phase, row, work)
-    step_plant(model, plan, plant, a.u, settings.dt, SUBSTEPS, noise, work)
+    step_plant(plant_model, plan, plant, a.u, settings.dt, SUBSTEPS, noise, work)
     if phase == RUNNING:
         if plan.hover_hold > 0.0 and a.hover_time >= plan.hover_hold:
             return COMPLETED
@@ -86,12 +102,27 @@ def closed_loop(
 
 
 @jit
-def run_batch(handle, settings, modes, sensors, plan, model, plant, m, a, w, noise, log, work):
+def run_batch(handle, settings, modes, sensors, plan, model, plant_model, plant, m, a, w, noise, log, work):
     """Fly up to len(log) cycles from a started mission. Returns (rows written, phase at the end)."""
     phase = RUNNING
     for k in range(log.shape[0]):
         phase = closed_loop(
-            handle, settings, modes, sensors, plan, model, plant, m, a, w, phase, 0, noise[k], log[k], work
+            handle,
+            settings,
+            modes,
+            sensors,
+            plan,
+            model,
+            plant_model,
+            plant,
+            m,
+            a,
+            w,
+            phase,
+            0,
+            noise[k],
+            log[k],
+            work,
         )
         if phase != RUNNING:
             return k + 1, phase

@@ -4,11 +4,12 @@ Source: Gao et al. 2026, eq. (41) (adaptive line of sight); Fossen & Aguiar 2024
 (uniform semiglobal exponential law, `AALOS`).
 Beyond the paper: after a missed approach in F the vehicle returns to the start of the last leg and
 tries again; in H the cross-track law fades with the inflow, since heading only moves the vehicle
-sideways when water flows past it. A vehicle without heave holds its depth by pitch, and one that needs
-flow over its fins passes the observation point at its slowest speed and circles where it should wait.
+sideways when water flows past it; the estimated current may be made good by a crab angle (`crab_gain`)
+instead of being learnt. A vehicle without heave holds its depth by pitch, and one that needs flow over its
+fins passes the observation point at its slowest speed and circles where it should wait.
 """
 
-from math import atan, cos, hypot, pi, sin, sqrt
+from math import asin, atan, cos, hypot, pi, sin, sqrt
 
 from twin.compiled import jit
 from twin.frames import direction, wrap
@@ -16,6 +17,9 @@ from twin.records import AALOS, FORWARD, HOVER, REVERSE
 
 _RUNWAY = 14.0  # m added to the last leg after a missed approach: three turning radii of a slow torpedo
 _FULL_FLOW = 0.05  # m/s of inflow at which hover uses its whole cross-track law
+_ASTERN = 0.03  # m/s along the path above which a vehicle hovers stern to the current
+_NEAR = 0.5  # m before the observation point from which the approach speed fades out
+_CRAB_MAX = 0.35  # sine of the largest crab angle: the target must stay in the camera's view
 
 
 @jit
@@ -60,6 +64,30 @@ def steer(settings, a, path_heading, y_e, adapt):
 
 
 @jit
+def crab(settings, a, heading):
+    """Angle (rad) by which to turn into the estimated current so that the track keeps `heading`.
+
+    In H the hull lies along the current, bow or stern into it, as far as the camera's view allows.
+    """
+    across = -a.current[0] * sin(heading) + a.current[1] * cos(heading)
+    if a.mode == HOVER or a.holding == 1:
+        along = a.current[0] * cos(heading) + a.current[1] * sin(heading)
+        along = along if along > _ASTERN else min(along, -_ASTERN)
+        return settings.crab_gain * atan(min(max(across / along, -_CRAB_MAX), _CRAB_MAX))
+    flow = max(a.nu_r[0], _FULL_FLOW)
+    angle = asin(min(max(across / flow, -_CRAB_MAX), _CRAB_MAX))
+    return -settings.crab_gain * min(max(a.nu_r[0] / _FULL_FLOW, 0.0), 1.0) * angle
+
+
+@jit
+def least_speed(settings, a, heading):
+    """Speed over ground along `heading` at which the largest crab angle just makes good the drift, m/s."""
+    along = a.current[0] * cos(heading) + a.current[1] * sin(heading)
+    across = -a.current[0] * sin(heading) + a.current[1] * cos(heading)
+    return settings.crab_gain * (along + abs(across) * sqrt(1.0 - _CRAB_MAX * _CRAB_MAX) / _CRAB_MAX)
+
+
+@jit
 def approach(value, goal, step):
     """value moved towards goal by at most step; step <= 0 means no limit."""
     if step <= 0.0:
@@ -90,7 +118,10 @@ def follow_path(settings, plan, a, point, start, end):
         elif a.leg > last and left <= settings.look_ahead:
             a.leg, a.b = last, 0.0
     if a.mode == REVERSE:
-        u_goal = settings.reverse_slope * left + (settings.reverse_offset if left > 0.0 else 0.0)
+        near = min(max(left / _NEAR, 0.0), 1.0)
+        u_goal = settings.reverse_slope * left + near * settings.reverse_offset
+        if left > 0.0:
+            u_goal = max(u_goal, near * least_speed(settings, a, heading))
         u_goal = min(max(u_goal, -0.5 * settings.reverse_max), settings.reverse_max)
     else:
         u_goal = plan.speed[min(a.leg, last)]
@@ -98,7 +129,10 @@ def follow_path(settings, plan, a, point, start, end):
             u_goal = min(u_goal, settings.reverse_max)
     share = min(max((s + settings.look_ahead) / length, 0.0), 1.0)
     z_goal = start[2] + share * (end[2] - start[2])
-    return u_goal, z_goal, steer(settings, a, heading, y_e, a.kappa >= 1.0)
+    if a.mode == REVERSE and left < 0.0:
+        y_e *= min(max(a.nu_r[0] / _FULL_FLOW, -1.0), 1.0)  # going astern turns the law round
+    psi_d = steer(settings, a, heading, y_e, a.kappa >= 1.0)
+    return u_goal, z_goal, wrap(psi_d + crab(settings, a, heading))
 
 
 @jit
@@ -117,6 +151,7 @@ def hold_station(settings, plan, a, x, y, z, heading, controllable_sway):
     if not controllable_sway:
         flow = min(max(a.nu_r[0] / _FULL_FLOW, -1.0), 1.0)
         psi_d = wrap(heading - settings.hover_cross_gain * flow * atan(y_e / settings.look_ahead))
+        psi_d = wrap(psi_d + crab(settings, a, heading))
     return u_goal, v_goal, z, psi_d
 
 
@@ -171,4 +206,5 @@ def guide(settings, plan, a, point, work):
     r[2] = approach(r[2], z_goal, settings.depth_rate * settings.dt)
     r[3] = 0.0
     r[4] = pitch_for_depth(settings, a)
-    r[5] = psi_d
+    turn = settings.heading_rate * settings.dt
+    r[5] = wrap(r[5] + approach(0.0, wrap(psi_d - r[5]), turn))

@@ -4,13 +4,16 @@ Source: Gao et al. 2026, eq. (42)-(44), (56). The integral is kept as K_I e_I in
 a change of K_I does not move it.
 Differs: wrench the allocator could not deliver while a command is at a bound drains the integral
 (back-calculation), and the offset of eq. (56) is kept apart from the integral so that it can be bled
-off; with no bleed the sum is the published law.
+off; with no bleed the sum is the published law. Errors may be smoothed by first-order lags, and what an
+integral becomes at a switch when it is not aligned is chosen: kept in N, kept as e_I (rescaled), or reset.
+Limits of scheduled channels may follow the schedule, so that no more is asked of fins than flow gives.
 """
 
 from math import cos, exp
 
 from twin.compiled import inline, jit
 from twin.frames import wrap
+from twin.records import RESCALE, RESET
 
 
 @inline
@@ -34,6 +37,19 @@ def tracking_error(a):
 
 
 @jit
+def smooth_errors(settings, a):
+    """Advance a.smooth_error and a.smooth_rate (6,), what the PID works on; e and e' without lags."""
+    for i in range(6):
+        t = settings.error_filter[i]
+        k = 1.0 - exp(-settings.dt / t) if t > 0.0 and a.cycle > 0 else 1.0
+        gap = a.error[i] - a.smooth_error[i]
+        a.smooth_error[i] += k * (wrap(gap) if i > 2 else gap)
+        t = settings.rate_filter[i]
+        k = 1.0 - exp(-settings.dt / t) if t > 0.0 and a.cycle > 0 else 1.0
+        a.smooth_rate[i] += k * (a.error_rate[i] - a.smooth_rate[i])
+
+
+@jit
 def gain_share(settings, a):
     """Share of the fin channels' gains at the present speed through water: grows with its square."""
     full = max(settings.schedule_speed, 1e-3)
@@ -44,7 +60,7 @@ def gain_share(settings, a):
 def proportional(settings, gains, a, i):
     """K_P e + K_D e' of channel i, gains scheduled."""
     share = 1.0 + settings.scheduled[i] * (a.schedule - 1.0)
-    return share * (gains.K_P[i] * a.error[i] + gains.K_D[i] * a.error_rate[i])
+    return share * (gains.K_P[i] * a.smooth_error[i] + gains.K_D[i] * a.smooth_rate[i])
 
 
 @jit
@@ -55,13 +71,26 @@ def demand(settings, gains, a):
     speed = a.kappa if settings.scale_integration == 1 else 1.0
     for i in range(6):
         share = 1.0 + settings.scheduled[i] * (a.schedule - 1.0)
-        rate = speed * share * gains.K_I[i] * a.error[i]
+        room = share if settings.schedule_limits == 1 else 1.0
+        rate = speed * share * gains.K_I[i] * a.smooth_error[i]
         if a.saturated == 1 and gains.K_I[i] > 0.0:
             rate -= settings.anti_windup * (a.tau_d[i] - a.tau_c[i])
-        a.integral[i] = clip(a.integral[i] + settings.dt * rate, gains.integral_limit[i])
+        a.integral[i] = clip(a.integral[i] + settings.dt * rate, room * gains.integral_limit[i])
         a.bias[i] *= keep
-        total = clip(a.integral[i] + a.bias[i], gains.integral_limit[i])
-        a.tau_plus[i] = clip(proportional(settings, gains, a, i) + total, gains.demand_limit[i])
+        total = clip(a.integral[i] + a.bias[i], room * gains.integral_limit[i])
+        a.tau_plus[i] = clip(proportional(settings, gains, a, i) + total, room * gains.demand_limit[i])
+        a.K_I[i] = gains.K_I[i]
+
+
+@jit
+def carry_integrals(settings, gains, a):
+    """What K_I e_I becomes when the gains change: kept as it is, kept as e_I, or nothing."""
+    for i in range(6):
+        if settings.integral_at_switch == RESCALE and a.K_I[i] > 0.0:
+            a.integral[i] *= gains.K_I[i] / a.K_I[i]
+            a.bias[i] *= gains.K_I[i] / a.K_I[i]
+        elif settings.integral_at_switch == RESET:
+            a.integral[i] = a.bias[i] = 0.0
 
 
 @jit

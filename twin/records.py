@@ -57,6 +57,7 @@ MODEL = np.dtype(
         ("C_D2", f8, _n),  # 1/rad^2
         ("stall_angle", f8, _n),  # rad
         ("reverse_lift", f8, _n),  # share of C_La left when the flow meets the trailing edge
+        ("smoothing", f8),  # N of thrust below which the allocator eases a screw through zero
     ],
     align=True,
 )
@@ -72,6 +73,7 @@ MODE_CONTROL = np.dtype(
         ("K_D", f8, 6),
         ("integral_limit", f8, 6),  # bound of |K_I e_I|, N or N m
         ("demand_limit", f8, 6),  # bound of |tau_d|, N or N m
+        ("increment_share", f8),  # of du_max that commands may use in this mode
     ],
     align=True,
 )
@@ -96,12 +98,20 @@ SETTINGS = np.dtype(
         ("align_channels", f8, 6),  # 1 where the integrator is aligned
         ("align_bleed", f8),  # s over which the aligned offset decays; 0 keeps it, as published
         ("scale_integration", i8),  # 1: integration is scaled by kappa during the ramp
+        ("integral_at_switch", i8),  # KEEP, RESCALE, RESET of what is not aligned
+        ("ramp_increment_share", f8),  # of du_max at kappa = 0, growing to 1 with kappa^4
+        ("ramp_increment_price", f8),  # extra weight of ||x - x_prev||^2 at kappa = 0, fading to 0
         # allocation
         ("allocator", i8),  # MDCA, WLS, PID_DIRECT
         ("sqp_iterations", i8),
         ("kkt_tolerance", f8),
         ("fault_tolerant", i8),
         ("anti_windup", f8),  # 1/s, feedback of the allocation residual into the integrals
+        ("increment_price", f8),  # weight of ||x - x_prev||^2; 0 as published
+        ("direct_map", i8),  # S1: THRUST_LINEAR, SPEED_LINEAR
+        ("degraded_map", i8),  # fault tolerance: allocate with the effectiveness as it is
+        ("priority", f8, 6),  # factors on Q once a fault is known
+        ("slack_price", f8, 6),  # P of the slack on each wrench component; 0 allows none
         # guidance
         ("law", i8),  # ALOS of eq. (41), AALOS of Fossen and Aguiar 2024
         ("look_ahead", f8),  # Delta, m
@@ -121,12 +131,21 @@ SETTINGS = np.dtype(
         ("schedule_speed", f8),  # m/s through water above which fin channels get full gain
         ("schedule_min", f8),  # least share of the gain
         ("scheduled", f8, 6),  # 1 where gains follow the speed schedule
+        ("schedule_limits", i8),  # 1: integral and demand limits follow the schedule too
+        ("flow_rates", f8),  # share of the turning rates in the flow that the allocator sees
+        ("heading_rate", f8),  # rad/s, fastest change of the heading reference; 0: no limit
+        ("flow_filter", f8),  # s, first-order lag on the velocity through water; 0: none
+        ("crab_gain", f8),  # share of the estimated drift that the heading makes good
+        ("error_filter", f8, 6),  # s, first-order lag on e; 0: none
+        ("rate_filter", f8, 6),  # s, the same on e'
     ],
     align=True,
 )
 
 MDCA, WLS, PID_DIRECT = 0, 1, 2
 ALOS, AALOS = 0, 1
+KEEP, RESCALE, RESET = 0, 1, 2
+THRUST_LINEAR, SPEED_LINEAR = 0, 1
 
 MAX_FAULTS = 8
 MAX_OUTAGES = 16
@@ -232,6 +251,7 @@ AUTOPILOT = np.dtype(
         ("nu", f8, 6),
         ("current", f8, 3),
         ("nu_r", f8, 6),
+        ("flow", f8, 6),  # nu_r before this cycle, smoothed
         ("target", f8, 3),
         ("fixes", i8),
         # supervisor
@@ -257,6 +277,9 @@ AUTOPILOT = np.dtype(
         # pid
         ("error", f8, 6),
         ("error_rate", f8, 6),
+        ("smooth_error", f8, 6),
+        ("smooth_rate", f8, 6),
+        ("K_I", f8, 6),  # of the last cycle
         ("integral", f8, 6),  # K_I e_I, N or N m
         ("bias", f8, 6),  # aligned offset, bled off
         ("schedule", f8),
@@ -273,6 +296,12 @@ AUTOPILOT = np.dtype(
         ("Q_minus", f8, 6),
         ("R_minus", f8, _n),
         ("lam_minus", f8),
+        ("Q_mode", f8, 6),  # Q before priorities and slack
+        ("increment_share", f8),
+        ("increment_share_minus", f8),
+        ("step_share", f8),  # of the rate limit, in force in this cycle
+        ("increment_price", f8),
+        ("fault_share", f8),  # how far a known fault is blended in
         # allocation
         ("u", f8, _n),
         ("u_lower", f8, _n),
@@ -299,6 +328,7 @@ ALLOCATION_WORK = np.dtype(
         ("step", f8, _n),
         ("trial", f8, _n),
         ("u_previous", f8, _n),
+        ("x_previous", f8, _n),
         ("healthy", f8, _n),
         ("lb", f8, _n),
         ("ub", f8, _n),

@@ -11,6 +11,8 @@ from twin.parameters import Parameters
 from twin.vehicle import Vehicle
 
 ALLOCATORS = {"mdca": records.MDCA, "wls": records.WLS, "pid_direct": records.PID_DIRECT}
+INTEGRALS = {"keep": records.KEEP, "rescale": records.RESCALE, "reset": records.RESET}
+DIRECT_MAPS = {"thrust": records.THRUST_LINEAR, "shaft_speed": records.SPEED_LINEAR}
 LAWS = {"alos": records.ALOS, "aalos_fossen2024": records.AALOS}
 
 
@@ -30,9 +32,14 @@ def fill_settings(out: np.ndarray, vehicle: Vehicle, parameters: Parameters) -> 
     s["ramp"], s["align"], s["project"] = bump.ramp, bump.integrator_alignment, bump.warm_start_projection
     s["align_channels"] = bump.align_channels
     s["align_bleed"], s["scale_integration"] = bump.align_bleed_s, bump.scale_integration
+    s["integral_at_switch"] = INTEGRALS[bump.integral_at_switch]
+    s["ramp_increment_share"] = bump.ramp_increment_share
+    s["ramp_increment_price"] = bump.ramp_increment_price
     s["allocator"] = ALLOCATORS[alloc.allocator]
     s["sqp_iterations"], s["kkt_tolerance"] = alloc.sqp_iterations, alloc.kkt_tolerance
     s["fault_tolerant"], s["anti_windup"] = alloc.fault_tolerant, alloc.anti_windup_per_s
+    s["increment_price"], s["direct_map"] = alloc.increment_price, DIRECT_MAPS[alloc.direct_map]
+    s["degraded_map"], s["priority"], s["slack_price"] = alloc.degraded_map, alloc.priority, alloc.slack_price
     s["law"], s["look_ahead"], s["gamma"] = LAWS[guide.law], guide.look_ahead_m, guide.adaptation_gain
     s["pitch_look_ahead"], s["pitch_gamma"] = guide.pitch_look_ahead_m, guide.pitch_adaptation_gain
     s["pitch_max"], s["speed_min"] = radians(guide.pitch_max_deg), guide.speed_min_mps
@@ -43,6 +50,10 @@ def fill_settings(out: np.ndarray, vehicle: Vehicle, parameters: Parameters) -> 
     s["hover_cross_gain"] = guide.hover_cross_gain
     s["schedule_speed"], s["schedule_min"] = guide.schedule_speed_mps, guide.schedule_min
     s["scheduled"] = guide.scheduled_channels
+    s["schedule_limits"], s["flow_filter"] = guide.schedule_limits, guide.flow_filter_s
+    s["flow_rates"], s["heading_rate"] = guide.flow_rates, radians(guide.heading_rate_degps)
+    s["crab_gain"] = guide.crab_gain
+    s["error_filter"], s["rate_filter"] = guide.error_filter_s, guide.rate_filter_s
 
 
 def mode_controls(parameters: Parameters) -> np.ndarray:
@@ -52,6 +63,7 @@ def mode_controls(parameters: Parameters) -> np.ndarray:
         row["Q"], row["lam"], row["n_sw"] = mode.q_diagonal, mode.lambda_, mode.ramp_cycles
         row["R"][: len(mode.r_diagonal)] = mode.r_diagonal
         row["K_P"], row["K_I"], row["K_D"] = mode.kp, mode.ki, mode.kd
+        row["increment_share"] = mode.increment_share
         row["integral_limit"], row["demand_limit"] = mode.integral_limit, mode.demand_limit
     return out
 

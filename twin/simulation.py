@@ -21,6 +21,7 @@ from twin.plant import new_work, observe_plant
 from twin.settings import fill_settings, mode_controls, plan_of, sensors_of
 from twin.vehicle import Vehicle
 
+Alter = Callable[[np.ndarray, np.ndarray], None]
 _CHUNK = 1024  # cycles per compiled call of `simulate`, so that progress can be shown
 
 
@@ -46,7 +47,7 @@ class Twin:
         self.seed = 0
         self.events = EventWriter()
         self._handles: dict[str, np.ndarray] = {}
-        self._model = build_model(vehicle)
+        self._model, self._plant_model = build_model(vehicle), build_model(vehicle)
         self._settings, self._modes = one(records.SETTINGS), np.zeros(3, records.MODE_CONTROL)
         self._plan, self._sensors = one(records.PLAN), one(records.SENSORS)
         self._plant, self._m = one(records.PLANT), one(records.MEASUREMENT)
@@ -64,20 +65,33 @@ class Twin:
         self.parameters = parameters
         fill_settings(self._settings, self.vehicle, parameters)
         self._modes[:] = mode_controls(parameters)
+        self._model["smoothing"] = parameters.allocation.shaft_smoothing_n
         solver = parameters.allocation.solver
         if solver not in self._handles:
             self._handles[solver] = make_handle(solver)
         self._handle = self._handles[solver]
 
-    def start(self, mission: Mission, seed: int | None = None, parameters: Parameters | None = None) -> None:
-        """Put the plant at the mission's start and begin; parameters default to vehicle plus mission."""
+    def start(
+        self,
+        mission: Mission,
+        seed: int | None = None,
+        parameters: Parameters | None = None,
+        alter: Alter | None = None,
+    ) -> None:
+        """Put the plant at the mission's start and begin; parameters default to vehicle plus mission.
+
+        alter(plant model, plan): may change the true vehicle and its sea, of which the autopilot is not told.
+        """
         self._adopt(parameters or parameters_for(self.vehicle, mission))
         self.mission, self.seed = mission, mission.seed if seed is None else seed
         self._plan[:] = plan_of(mission, self.vehicle)
         self._sensors[:] = sensors_of(self.vehicle, mission)
+        self._plant_model = self._model.copy()
+        if alter is not None:
+            alter(self._plant_model, self._plan[0])
         self._rng = np.random.Generator(np.random.PCG64(self.seed))
         place_plant(self._plan, self._sensors, self._plant, self._rng)
-        observe_plant(self._model, self._plan[0], self._plant[0], self._work)
+        observe_plant(self._plant_model, self._plan[0], self._plant[0], self._work)
         self._m[:] = 0
         reset_autopilot(self._modes, self._plan[0], self._model, self._a[0])
         self.phase, self._change = 2, 0
@@ -133,6 +147,7 @@ class Twin:
             self._sensors[0],
             self._plan[0],
             self._model,
+            self._plant_model,
             self._plant[0],
             self._m[0],
             self._a[0],
@@ -192,14 +207,15 @@ def simulate(
     parameters: Parameters | None = None,
     seed: int | None = None,
     progress: Callable[[float], None] | None = None,
+    alter: Alter | None = None,
 ) -> Result:
     """Fly `mission` to its end. A pure, picklable function of its arguments; solve times aside.
 
     parameters: default is the vehicle's with the mission's overrides. seed: default is the
-    mission's. progress is called with the share flown, 0 to 1.
+    mission's. progress is called with the share flown, 0 to 1. alter: as in `Twin.start`.
     """
     twin = Twin(vehicle, parameters)
-    twin.start(mission, seed, parameters)
+    twin.start(mission, seed, parameters, alter)
     total = int(round(mission.duration_s / twin.period_s))
     log = np.zeros(total, records.LOG)
     filled, phase = 0, twin.phase
@@ -213,6 +229,7 @@ def simulate(
             twin._sensors[0],
             twin._plan[0],
             twin._model,
+            twin._plant_model,
             twin._plant[0],
             twin._m[0],
             twin._a[0],

@@ -3,11 +3,13 @@
 Source: Gao et al. 2026, sec. 4.2 and table 5. Neither knows bounds: commands are clipped afterwards.
 """
 
+from math import sqrt
+
 import numpy as np
 
 from twin.allocation.wrench_map import to_command, to_x, wrench_map
 from twin.compiled import jit
-from twin.records import FIN
+from twin.records import FIN, SPEED_LINEAR
 
 _DAMPING = 1e-6
 
@@ -85,10 +87,11 @@ def allocate_wls(model, a, w):
 
 @jit
 def allocate_direct(settings, model, a, w):
-    """Each PID channel drives its own actuators through a fixed mixer made at the schedule speed.
+    """Each PID channel drives its own actuators through a mixer made for the speed of the gain schedule.
 
     Forces go to the thrusters and moments to the fins, if there are any of both; neither group
-    knows what the other, the drag or the present flow does.
+    knows what the other, the drag or the present flow does. A thruster's demand becomes thrust
+    (THRUST_LINEAR) or, as a PID output scaled to the shaft's range, shaft speed (SPEED_LINEAR).
     """
     n = model.n_u
     fins, thrusters = 0, 0
@@ -101,7 +104,7 @@ def allocate_direct(settings, model, a, w):
             thrusters += 1
     for k in range(6):
         w.flow[k] = 0.0
-    w.flow[0] = settings.schedule_speed
+    w.flow[0] = settings.schedule_speed * sqrt(max(a.schedule, settings.schedule_min))
     w.healthy[:] = 1.0
     wrench_map(model, w.x, w.u_previous, w.healthy, w.flow, w.tau, w.jacobian)
     if fins == 0 or thrusters == 0:
@@ -114,4 +117,9 @@ def allocate_direct(settings, model, a, w):
             for i in range(n):
                 w.trial[i] = 1.0 if (model.kind[i] == FIN) == (group == 1) else 0.0
             _pseudo_inverse(model, a, w, a.tau_d, w.channel, w.trial, w.x)
+    if settings.direct_map == SPEED_LINEAR:
+        for i in range(n):
+            if model.kind[i] != FIN:
+                share = min(max(w.x[i], -1.0), 1.0)
+                w.x[i] = to_x(model, i, share * model.command_max[i])
     _apply(model, a, w)

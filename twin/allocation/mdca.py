@@ -4,6 +4,7 @@ u* = argmin ||tau_d - G_m(u)||_Q^2 + lambda ||u||_R^2 over the cycle's bounds, e
 Gao et al. 2026, in the decision variables of `wrench_map`. Each step solves a box QP; a step is
 accepted only if the true cost falls (backtracking on eta_j), so that the answer is never worse than
 the projected start.
+Beyond the paper: a price mu ||x - x_prev||^2 on increments, zero unless it is asked for.
 """
 
 from math import isfinite
@@ -16,6 +17,25 @@ from twin.compiled import jit
 
 SOLVED, BUDGET_SPENT, INFEASIBLE, FALLBACK, REFUSED = 1, 2, 3, 4, 5  # SolveStatus of the contract
 _BACKTRACKS = 6
+
+
+@jit
+def increment_cost(mu, x, x_previous, n):
+    """mu ||x - x_prev||^2, and nothing at all for mu = 0."""
+    cost = 0.0
+    if mu > 0.0:
+        for i in range(n):
+            cost += mu * (x[i] - x_previous[i]) ** 2
+    return cost
+
+
+@jit
+def price_increments(mu, x, x_previous, n, H, g):
+    """Add the increments' price to the (halved) normal equations."""
+    if mu > 0.0:
+        for i in range(n):
+            H[i, i] += mu
+            g[i] += mu * (x[i] - x_previous[i])
 
 
 @jit
@@ -73,16 +93,19 @@ def allocate_mdca(handle, settings, model, a, w):
     for i in range(n):
         w.u_previous[i] = a.u[i]
         lower[i], upper[i] = to_x(model, i, a.u_lower[i]), to_x(model, i, a.u_upper[i])
-        start = to_x(model, i, a.u[i]) if settings.project == 1 else 0.0
+        w.x_previous[i] = to_x(model, i, a.u[i])
+        start = w.x_previous[i] if settings.project == 1 else 0.0
         x[i] = min(max(start, lower[i]), upper[i])
     wrench_map(model, x, w.u_previous, a.effectiveness, a.nu_r, w.tau, w.jacobian)
     cost = allocation_cost(a.Q, a.R, a.lam, a.tau_d, w.tau, x, n)
+    cost += increment_cost(a.increment_price, x, w.x_previous, n)
     status = BUDGET_SPENT
     fallback = False
     a.iterations = 0
     a.kkt = 0.0
     while True:
         normal_equations(a.Q, a.R, a.lam, a.tau_d, w.tau, w.jacobian, x, n, w.H, w.g)
+        price_increments(a.increment_price, x, w.x_previous, n, w.H, w.g)
         for i in range(n):
             step[i] = 0.0
             w.lb[i], w.ub[i] = lower[i] - x[i], upper[i] - x[i]
@@ -101,6 +124,7 @@ def allocate_mdca(handle, settings, model, a, w):
                 trial[i] = min(max(x[i] + eta * step[i], lower[i]), upper[i])
             wrench_map(model, trial, w.u_previous, a.effectiveness, a.nu_r, w.tau, w.jacobian)
             trial_cost = allocation_cost(a.Q, a.R, a.lam, a.tau_d, w.tau, trial, n)
+            trial_cost += increment_cost(a.increment_price, trial, w.x_previous, n)
             if trial_cost < cost:
                 accepted = True
                 break

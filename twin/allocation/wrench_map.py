@@ -6,8 +6,12 @@ speed the map has zero slope at n = 0 and Gauss-Newton could not start a stopped
 Bounds in x are exact images of the bounds on deflection and shaft speed, because n -> n|n| is monotone.
 
 Source: Gao et al. 2026, eq. (27)-(34), (46), (50).
-Differs: the inflow term T_nv |n| V_A is taken at the previous command, one cycle old.
+Differs: the inflow term T_nv |n| V_A is taken at the previous command, one cycle old. As an option
+(`smoothing`, T_0) a screw passes through zero with a finite slope: T_nn n|n| = T holds far from zero
+only, n ~ T (T^2 + T_0^2)^-1/4 everywhere, which misses at most 0.3 T_0.
 """
+
+from math import sqrt
 
 from twin.actuators import add_force, bollard_thrust, fin_force, inflow_along, shaft_speed
 from twin.compiled import inline, jit
@@ -25,7 +29,11 @@ def to_x(model, i, command):
     """Normalised decision variable of a command (rad or rev/s)."""
     if model.kind[i] == FIN:
         return command / model.command_max[i]
-    return bollard_thrust(model, i, command) / thrust_scale(model, i)
+    x = bollard_thrust(model, i, command) / thrust_scale(model, i)
+    if model.smoothing > 0.0:
+        y, ease = x * x, model.smoothing / thrust_scale(model, i)
+        x = sqrt(0.5 * (y + sqrt(y * (y + 4.0 * ease * ease)))) * (1.0 if x >= 0.0 else -1.0)
+    return x
 
 
 @inline
@@ -33,6 +41,9 @@ def to_command(model, i, x):
     """Command (rad or rev/s) of a normalised decision variable."""
     if model.kind[i] == FIN:
         return x * model.command_max[i]
+    if model.smoothing > 0.0:
+        ease = model.smoothing / thrust_scale(model, i)
+        x *= abs(x) / sqrt(x * x + ease * ease)
     return shaft_speed(model, i, x * thrust_scale(model, i))
 
 

@@ -9,6 +9,8 @@ from typing import Literal
 
 Allocator = Literal["mdca", "wls", "pid_direct"]
 Solver = Literal["osqp", "active_set", "daqp"]
+DirectMap = Literal["thrust", "shaft_speed"]
+IntegralAtSwitch = Literal["keep", "rescale", "reset"]
 PathLaw = Literal["alos", "aalos_fossen2024"]
 
 
@@ -29,6 +31,7 @@ class ModeParameters:
     kd: tuple[float, ...]  # diagonal of K_D, shape (6,), the same times second
     integral_limit: tuple[float, ...]  # bound of |K_I e_I|, shape (6,), N or N m
     demand_limit: tuple[float, ...]  # bound of |tau_d|, shape (6,), N or N m
+    increment_share: float = 1.0  # of the rate limits that this mode may use; ramps as Q, R, lambda do
 
 
 @dataclass(frozen=True)
@@ -56,7 +59,8 @@ class BumplessParameters:
 
     Source: Gao et al. 2026, eqs. (54)-(57); aligned are depth and heading there, and nothing bleeds.
     Differs: other channels may be aligned too, the aligned offset may decay, and integration may be
-    scaled by kappa during the ramp.
+    scaled by kappa during the ramp; what happens to integrals that are not aligned is chosen; the ramp may
+    tighten the increment bound or price increments.
     """
 
     ramp: bool = True
@@ -65,6 +69,9 @@ class BumplessParameters:
     align_channels: tuple[float, ...] = (0.0, 0.0, 1.0, 0.0, 0.0, 1.0)  # 1 where aligned, shape (6,)
     align_bleed_s: float = 0.0  # time constant of the aligned offset's decay; 0 keeps it
     scale_integration: bool = False
+    integral_at_switch: IntegralAtSwitch = "keep"  # K_I e_I kept, e_I kept (so K_I e_I rescaled), or reset
+    ramp_increment_share: float = 1.0  # of du_max at kappa = 0, growing to 1 with kappa^4
+    ramp_increment_price: float = 0.0  # weight of ||x - x_prev||^2 at kappa = 0, fading with kappa
 
 
 @dataclass(frozen=True)
@@ -77,6 +84,12 @@ class AllocationParameters:
     kkt_tolerance: float = 1e-6  # of the projected gradient in bound-normalised commands
     fault_tolerant: bool = False  # allocate with the degraded map and softened constraints
     anti_windup_per_s: float = 1.0  # feedback of the allocation residual into the integrals
+    increment_price: float = 0.0  # weight of ||x - x_prev||^2, on bound-normalised commands
+    shaft_smoothing_n: float = 0.0  # N of thrust below which a screw is eased through zero
+    direct_map: DirectMap = "thrust"  # pid_direct: demand to thrust, or straight to shaft speed
+    degraded_map: bool = True  # fault tolerance: use the effectiveness as it is
+    priority: tuple[float, ...] = (1.0, 1.0, 1.0, 1.0, 1.0, 1.0)  # fault tolerance: factors on Q, shape (6,)
+    slack_price: tuple[float, ...] = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)  # fault tolerance: P; 0 allows no slack
 
 
 @dataclass(frozen=True)
@@ -104,6 +117,13 @@ class GuidanceParameters:
     schedule_speed_mps: float = 0.3  # speed through water above which scheduled channels get full gain
     schedule_min: float = 0.2  # least share of their gain
     scheduled_channels: tuple[float, ...] = (0.0, 0.0, 0.0, 0.0, 1.0, 1.0)  # 1 where scheduled, shape (6,)
+    schedule_limits: bool = False  # integral and demand limits of scheduled channels follow speed as well
+    flow_filter_s: float = 0.0  # lag on the velocity through water that schedule and allocator see
+    flow_rates: float = 1.0  # share of p, q, r in that flow: fins damp turning unless the allocator undoes it
+    heading_rate_degps: float = 0.0  # the heading reference turns no faster; 0: no limit
+    crab_gain: float = 0.0  # share of the estimated drift that the heading makes good at once
+    error_filter_s: tuple[float, ...] = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)  # lag on e before the PID, shape (6,)
+    rate_filter_s: tuple[float, ...] = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)  # lag on e', shape (6,)
 
 
 @dataclass(frozen=True)

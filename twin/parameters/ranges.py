@@ -30,6 +30,7 @@ _MODE = (
     Range("kd", "N or N·m per unit error rate", 0.0, 1e4, "K_D", 6),
     Range("integral_limit", "N or N·m", 0.0, 1e4, "Bound of the integral action", 6),
     Range("demand_limit", "N or N·m", 0.0, 1e5, "Bound of the demand", 6),
+    Range("increment_share", "1", 0.001, 1.0, "Share of the rate limits in use"),
 )
 _FLAT = (
     Range("supervisor.range_rh_lower_m", "m", 0.01, 1000.0, "d_RH^L, reverse to hover", live=True),
@@ -43,9 +44,15 @@ _FLAT = (
     Range("supervisor.detection_hold_cycles", "cycles", 0, 10000, "Detection held for", live=True),
     Range("bumpless.align_channels", "1", 0.0, 1.0, "Channels whose integrators are aligned", 6),
     Range("bumpless.align_bleed_s", "s", 0.0, 1000.0, "Decay of the aligned offset; 0 keeps it"),
+    Range("bumpless.ramp_increment_share", "1", 0.001, 1.0, "Share of the rate limits as a ramp begins"),
+    Range("bumpless.ramp_increment_price", "1", 0.0, 1e6, "Price of increments as a ramp begins"),
     Range("allocation.sqp_iterations", "1", 1, 50, "SQP iterations per cycle"),
     Range("allocation.kkt_tolerance", "1", 1e-12, 1.0, "KKT residual that counts as solved"),
     Range("allocation.anti_windup_per_s", "1/s", 0.0, 100.0, "Residual fed back into the integrals"),
+    Range("allocation.increment_price", "1", 0.0, 1e6, "Price of increments"),
+    Range("allocation.shaft_smoothing_n", "N", 0.0, 10.0, "Thrust eased through zero"),
+    Range("allocation.priority", "1", 0.0, 1e6, "Factors on Q after a known fault", 6),
+    Range("allocation.slack_price", "1/N² or 1/(N·m)²", 0.0, 1e9, "P, price of slack; 0 allows none", 6),
     Range("guidance.look_ahead_m", "m", 0.1, 200.0, "Δ, look-ahead distance"),
     Range("guidance.adaptation_gain", "1/s", 0.0, 10.0, "γ, adaptation to drift"),
     Range("guidance.depth_rate_mps", "m/s", 0.001, 2.0, "Fastest change of the depth reference"),
@@ -63,6 +70,12 @@ _FLAT = (
     Range("guidance.schedule_speed_mps", "m/s", 0.0, 5.0, "Speed from which scheduled gains are full"),
     Range("guidance.schedule_min", "1", 0.0, 1.0, "Least share of a scheduled gain"),
     Range("guidance.scheduled_channels", "1", 0.0, 1.0, "Channels whose gains follow speed", 6),
+    Range("guidance.flow_filter_s", "s", 0.0, 100.0, "Lag on the estimated flow"),
+    Range("guidance.flow_rates", "1", 0.0, 1.0, "Share of turning rates in the flow"),
+    Range("guidance.heading_rate_degps", "°/s", 0.0, 180.0, "Fastest change of the heading reference"),
+    Range("guidance.crab_gain", "1", 0.0, 1.0, "Share of the drift made good by heading"),
+    Range("guidance.error_filter_s", "s", 0.0, 100.0, "Lag on the errors before the PID", 6),
+    Range("guidance.rate_filter_s", "s", 0.0, 100.0, "Lag on the error rates before the PID", 6),
 )
 # fmt: on
 

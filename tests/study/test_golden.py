@@ -1,0 +1,59 @@
+"""Every scenario against its golden summary, and Proposition 1 on all of them.
+
+`BUMPLESS_REFRESH_GOLDEN=1 pytest tests/study/test_golden.py` writes the files anew: do so only when a flight
+was meant to change, and say in the commit why.
+"""
+
+import json
+import os
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from twin.simulation import Result
+from twin.study.figures import figures_of
+from twin.study.golden import summary_of
+from twin.study.scenarios import SCENARIOS, VARIANTS
+
+FOLDER = Path(__file__).parent / "golden"
+ALL = [*SCENARIOS, *VARIANTS]
+REFRESH = os.environ.get("BUMPLESS_REFRESH_GOLDEN") == "1"
+
+Flight = Callable[[str], Result]
+
+
+@pytest.mark.parametrize("name", ALL)
+def test_scenario_flies_as_it_did(name: str, flight: Flight) -> None:
+    """Protects: a change in plant, autopilot or allocator that moves a published scenario is seen."""
+    got = summary_of(flight(name))
+    path = FOLDER / f"{name.lower()}.json"
+    if REFRESH:
+        path.write_text(json.dumps(got, indent=1) + "\n", encoding="utf-8")
+    wanted = json.loads(path.read_text(encoding="utf-8"))
+    assert got["end"]["cycles"] == wanted["end"]["cycles"]
+    for part in ("eta", "nu"):
+        assert got["end"][part] == pytest.approx(wanted["end"][part], rel=5e-3, abs=2e-4), part
+    assert got["commands"] == pytest.approx(wanted["commands"], rel=5e-3, abs=1e-4)
+    for figure, value in wanted["figures"].items():
+        expected = None if value is None else pytest.approx(value, rel=5e-3, abs=1e-5)
+        assert got["figures"][figure] == expected, figure
+
+
+@pytest.mark.parametrize("name", ALL)
+def test_proposition_1_increments(name: str, flight: Flight) -> None:
+    """Protects: no allocator, however it switches, leaves its amplitude or increment bounds in any cycle."""
+    assert figures_of(flight(name))["increment_violations"] == 0
+
+
+@pytest.mark.parametrize("name", ["S4", "S5", "S6"])
+def test_proposition_1_demand_is_continuous(name: str, flight: Flight) -> None:
+    """Protects: with the ramp on, tau_d never steps further than one cycle of the ramp allows."""
+    assert figures_of(flight(name))["demand_step_violations"] == 0
+
+
+@pytest.mark.parametrize("name", ["S1", "S2", "S3"])
+def test_hard_switches_break_continuity(name: str, flight: Flight) -> None:
+    """Protects: the baselines do switch hard, once at each of their switches and nowhere else."""
+    figures = figures_of(flight(name))
+    assert figures["demand_step_violations"] == figures["switches"] == 2

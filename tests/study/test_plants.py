@@ -1,0 +1,49 @@
+"""The distribution of plants: stated, repeatable, and hidden from the autopilot."""
+
+import pickle
+
+import numpy as np
+import pytest
+
+from twin.model import build_model
+from twin.settings import plan_of
+from twin.simulation import Twin
+from twin.study.plants import DISTRIBUTION, NOMINAL, draw
+from twin.study.scenarios import SCENARIOS, mission_of
+from twin.vehicle import load_vehicle
+
+
+def test_draws_fill_the_stated_ranges() -> None:
+    """Protects: the 200 plants of the study are spread over the whole of each range, and nowhere else."""
+    plants = [draw(i) for i in range(200)]
+    for name, spread in DISTRIBUTION.items():
+        values = np.array([getattr(p, name) for p in plants])
+        assert values.min() >= spread.low and values.max() <= spread.high, name
+        middle = spread.at(0.5)
+        assert 0.4 < np.mean(values < middle) < 0.6, name
+    assert draw(17) == draw(17) != draw(18)
+    assert pickle.loads(pickle.dumps(plants[3])) == plants[3]
+
+
+def test_nominal_plant_changes_nothing() -> None:
+    """Protects: the tables are flown on the vehicle file's own numbers."""
+    vehicle = load_vehicle("ts100")
+    model, plan = build_model(vehicle), plan_of(mission_of(SCENARIOS["S5"]), vehicle)
+    before = model.tobytes(), plan.tobytes()
+    NOMINAL(model, plan[0])
+    assert (model.tobytes(), plan.tobytes()) == before
+
+
+def test_autopilot_keeps_the_nominal_model() -> None:
+    """Protects: a drawn plant changes the truth only; the allocator's map stays nominal."""
+    vehicle = load_vehicle("ts100")
+    twin = Twin(vehicle)
+    plant = draw(5)
+    twin.start(mission_of(SCENARIOS["S5"]), 1, alter=plant)
+    nominal = build_model(vehicle)
+    for name in ("T_nn", "C_La", "time_constant", "buoyancy", "r_b", "D_quadratic"):
+        assert np.array_equal(twin._model[name], nominal[name]), name
+        assert not np.array_equal(twin._plant_model[name], nominal[name]), name
+    assert twin._plan[0]["fault_effectiveness"][0] == plant.fault_effectiveness
+    twin.start(mission_of(SCENARIOS["S5"]), 1)
+    assert twin._plant_model["buoyancy"] == pytest.approx(float(nominal["buoyancy"]))

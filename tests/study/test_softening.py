@@ -1,0 +1,43 @@
+"""The softened problem of S6: slack and priorities are what the joint problem's optimum says they are."""
+
+import numpy as np
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from twin import records
+from twin.switching import report_slack, soften
+
+weight = st.floats(0.01, 50.0)
+
+
+@settings(max_examples=50)
+@given(st.lists(weight, min_size=6, max_size=6), st.lists(weight, min_size=6, max_size=6), st.data())
+def test_slack_is_eliminated_exactly(q: list[float], p: list[float], data: st.DataObject) -> None:
+    """Protects: min over s of ||r - s||_QW^2 + ||s||_P^2 equals ||r||_a.Q^2, and a.slack is its minimiser."""
+    w = np.array(data.draw(st.lists(weight, min_size=6, max_size=6)))
+    r = np.array(data.draw(st.lists(st.floats(-5, 5), min_size=6, max_size=6)))
+    s, a = np.zeros(1, records.SETTINGS)[0], np.zeros(1, records.AUTOPILOT)[0]
+    s["priority"], s["slack_price"] = w, p
+    a["Q_mode"], a["fault_share"], a["tau_d"] = q, 1.0, r
+    soften(s, a)
+    report_slack(s, a)
+    qw, p_ = np.array(q) * w, np.array(p)
+    joint = qw * (r - a["slack"]) ** 2 + p_ * a["slack"] ** 2
+    np.testing.assert_allclose(joint, a["Q"] * r**2, rtol=1e-9, atol=1e-12)
+    for nudge in (-1e-3, 1e-3):
+        moved = qw * (r - a["slack"] - nudge) ** 2 + p_ * (a["slack"] + nudge) ** 2
+        assert (moved >= joint - 1e-12).all()
+
+
+def test_nothing_is_softened_before_a_fault() -> None:
+    """Protects: S6 is S4 until the fault is known, and zero slack price means no slack at all."""
+    s, a = np.zeros(1, records.SETTINGS)[0], np.zeros(1, records.AUTOPILOT)[0]
+    s["priority"], s["slack_price"] = 3.0, 2.0
+    a["Q_mode"], a["tau_d"] = [1, 0, 2, 4, 4, 4], 1.0
+    soften(s, a)
+    report_slack(s, a)
+    assert np.array_equal(a["Q"], a["Q_mode"]) and not a["slack"].any()
+    a["fault_share"], s["slack_price"] = 1.0, 0.0
+    soften(s, a)
+    report_slack(s, a)
+    assert np.array_equal(a["Q"], 3.0 * a["Q_mode"]) and not a["slack"].any()
