@@ -125,6 +125,10 @@ def follow_path(settings, plan, a, point, start, end):
         u_goal = min(max(u_goal, -0.5 * settings.reverse_max), settings.reverse_max)
     else:
         u_goal = plan.speed[min(a.leg, last)]
+        # legs give the speed through water
+        u_goal += settings.crab_gain * (a.current[0] * ch + a.current[1] * sh)
+        if a.cycle == 0:
+            a.reference[0] = u_goal if settings.crab_gain > 0.0 else a.reference[0]
         if a.leg >= last and a.range < settings.d_fr_l:
             u_goal = min(u_goal, settings.reverse_max)
     share = min(max((s + settings.look_ahead) / length, 0.0), 1.0)

@@ -34,7 +34,7 @@ def navigate(settings, sensors, m, a, work):
     if m.velocity_valid == 1:
         elapsed = dt * max(1, sensors.dvl_period)
         k_vel = 1.0 if fresh_start else 1.0 - exp(-elapsed / _T_VELOCITY)
-        k_cur = 1.0 if fresh_start else 1.0 - exp(-elapsed / _T_CURRENT)
+        k_cur = max(1.0 - exp(-elapsed / _T_CURRENT), elapsed / (elapsed + a.time))  # a mean at first
         for k in range(3):
             a.nu[k] += k_vel * (m.velocity[k] - a.nu[k])
             ned[k] = m.velocity[k] - m.water_velocity[k]

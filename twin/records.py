@@ -9,9 +9,7 @@ Order of actuators: the vehicle file's. Wrench order: [X Y Z K M N] in body axes
 
 import numpy as np
 
-MAX_ACTUATORS = 8
-MAX_WAYPOINTS = 64
-N_MODES = 3
+MAX_ACTUATORS, MAX_WAYPOINTS, N_MODES = 8, 64, 3
 FORWARD, REVERSE, HOVER = 0, 1, 2
 THRUSTER, FIN = 0, 1
 
@@ -57,7 +55,7 @@ MODEL = np.dtype(
         ("C_D2", f8, _n),  # 1/rad^2
         ("stall_angle", f8, _n),  # rad
         ("reverse_lift", f8, _n),  # share of C_La left when the flow meets the trailing edge
-        ("smoothing", f8),  # N of thrust below which the allocator eases a screw through zero
+        ("smoothing", f8),  # thrust share below which the allocator eases a screw through zero
     ],
     align=True,
 )
@@ -147,9 +145,7 @@ ALOS, AALOS = 0, 1
 KEEP, RESCALE, RESET = 0, 1, 2
 THRUST_LINEAR, SPEED_LINEAR = 0, 1
 
-MAX_FAULTS = 8
-MAX_OUTAGES = 16
-N_NOISE = 24
+MAX_FAULTS, MAX_OUTAGES, N_NOISE = 8, 16, 24
 
 PLAN = np.dtype(
     [

@@ -65,7 +65,7 @@ class Twin:
         self.parameters = parameters
         fill_settings(self._settings, self.vehicle, parameters)
         self._modes[:] = mode_controls(parameters)
-        self._model["smoothing"] = parameters.allocation.shaft_smoothing_n
+        self._model["smoothing"] = parameters.allocation.shaft_smoothing
         solver = parameters.allocation.solver
         if solver not in self._handles:
             self._handles[solver] = make_handle(solver)

@@ -41,7 +41,7 @@ def test_autopilot_keeps_the_nominal_model() -> None:
     plant = draw(5)
     twin.start(mission_of(SCENARIOS["S5"]), 1, alter=plant)
     nominal = build_model(vehicle)
-    for name in ("T_nn", "C_La", "time_constant", "buoyancy", "r_b", "D_quadratic"):
+    for name in ("time_constant", "buoyancy", "r_b", "D_quadratic"):
         assert np.array_equal(twin._model[name], nominal[name]), name
         assert not np.array_equal(twin._plant_model[name], nominal[name]), name
     assert twin._plan[0]["fault_effectiveness"][0] == plant.fault_effectiveness

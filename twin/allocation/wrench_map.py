@@ -7,8 +7,8 @@ Bounds in x are exact images of the bounds on deflection and shaft speed, becaus
 
 Source: Gao et al. 2026, eq. (27)-(34), (46), (50).
 Differs: the inflow term T_nv |n| V_A is taken at the previous command, one cycle old. As an option
-(`smoothing`, T_0) a screw passes through zero with a finite slope: T_nn n|n| = T holds far from zero
-only, n ~ T (T^2 + T_0^2)^-1/4 everywhere, which misses at most 0.3 T_0.
+(`smoothing`, x_0) a screw passes through zero with a finite slope: n|n| = x holds far from zero only,
+n ~ x (x^2 + x_0^2)^-1/4 everywhere, which misses at most 0.3 x_0 of the largest thrust.
 """
 
 from math import sqrt
@@ -31,8 +31,8 @@ def to_x(model, i, command):
         return command / model.command_max[i]
     x = bollard_thrust(model, i, command) / thrust_scale(model, i)
     if model.smoothing > 0.0:
-        y, ease = x * x, model.smoothing / thrust_scale(model, i)
-        x = sqrt(0.5 * (y + sqrt(y * (y + 4.0 * ease * ease)))) * (1.0 if x >= 0.0 else -1.0)
+        y = x * x
+        x = sqrt(0.5 * (y + sqrt(y * (y + 4.0 * model.smoothing**2)))) * (1.0 if x >= 0.0 else -1.0)
     return x
 
 
@@ -42,8 +42,7 @@ def to_command(model, i, x):
     if model.kind[i] == FIN:
         return x * model.command_max[i]
     if model.smoothing > 0.0:
-        ease = model.smoothing / thrust_scale(model, i)
-        x *= abs(x) / sqrt(x * x + ease * ease)
+        x *= abs(x) / sqrt(x * x + model.smoothing**2)
     return shaft_speed(model, i, x * thrust_scale(model, i))
 
 

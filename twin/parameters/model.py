@@ -85,7 +85,7 @@ class AllocationParameters:
     fault_tolerant: bool = False  # allocate with the degraded map and softened constraints
     anti_windup_per_s: float = 1.0  # feedback of the allocation residual into the integrals
     increment_price: float = 0.0  # weight of ||x - x_prev||^2, on bound-normalised commands
-    shaft_smoothing_n: float = 0.0  # N of thrust below which a screw is eased through zero
+    shaft_smoothing: float = 0.0  # thrust share below which a screw is eased through zero
     direct_map: DirectMap = "thrust"  # pid_direct: demand to thrust, or straight to shaft speed
     degraded_map: bool = True  # fault tolerance: use the effectiveness as it is
     priority: tuple[float, ...] = (1.0, 1.0, 1.0, 1.0, 1.0, 1.0)  # fault tolerance: factors on Q, shape (6,)

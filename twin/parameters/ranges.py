@@ -50,7 +50,7 @@ _FLAT = (
     Range("allocation.kkt_tolerance", "1", 1e-12, 1.0, "KKT residual that counts as solved"),
     Range("allocation.anti_windup_per_s", "1/s", 0.0, 100.0, "Residual fed back into the integrals"),
     Range("allocation.increment_price", "1", 0.0, 1e6, "Price of increments"),
-    Range("allocation.shaft_smoothing_n", "N", 0.0, 10.0, "Thrust eased through zero"),
+    Range("allocation.shaft_smoothing", "1", 0.0, 1.0, "Thrust share eased through zero"),
     Range("allocation.priority", "1", 0.0, 1e6, "Factors on Q after a known fault", 6),
     Range("allocation.slack_price", "1/N² or 1/(N·m)²", 0.0, 1e9, "P, price of slack; 0 allows none", 6),
     Range("guidance.look_ahead_m", "m", 0.1, 200.0, "Δ, look-ahead distance"),

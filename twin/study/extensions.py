@@ -34,7 +34,7 @@ EXTENSIONS: tuple[Extension, ...] = (
         "smooth shaft reversal",
         "a screw passes through zero thrust with finite slope, since n = sqrt(T) has none",
         True,
-        {"allocation": {"shaft_smoothing_n": 0.0}},
+        {"allocation": {"shaft_smoothing": 0.0}},
     ),
     Extension(
         "slow flow",

@@ -33,7 +33,7 @@ class Goal:
     def holds(self, figures: Mapping[str, Figures]) -> bool:
         """Is it reached on this plant?"""
         ratio = self.ratio(figures)
-        return math.isfinite(ratio) and ratio <= self.limit + 1e-12
+        return math.isfinite(ratio) and ratio <= self.limit + 1e-6
 
     def as_dict(self) -> dict[str, Any]:
         """For JSON."""

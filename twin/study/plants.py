@@ -2,8 +2,9 @@
 
 `DISTRIBUTION` is the statement; `draw(i)` gives plant i, always the same. A `Plant` changes the true
 vehicle and its sea, never what the autopilot believes: it flies every plant with one set of parameters
-and one nominal model. Source of the ranges: issue "True", "Not at one lucky point"; fault size and time are our reading of it.
-`thrust` and `fin_lift`, which the allocator would have to know, are fields of a Plant but not drawn.
+and one nominal model. Source of the ranges: issue "True", "Not at one lucky point"; the ends of trim,
+buoyancy, lag and fault are ours. `thrust` and `fin_lift`, which the allocator would have to know, are
+fields of a Plant but not drawn.
 """
 
 from dataclasses import asdict, dataclass
@@ -89,13 +90,8 @@ class Plant:
         model["C_La"][fin] *= self.fin_lift
 
     def _start_in_trim(self, plan: np.ndarray) -> None:
-        """Start along the first leg at its speed over ground, the bow already turned into the current."""
-        along, across = self.current_along, self.current_across
-        if along == 0.0 and across == 0.0:
-            return
-        ahead = plan["speed"][0] - along
-        plan["start"][5] -= np.arctan2(across, ahead)
-        plan["start_speed"] = np.hypot(ahead, across)
+        """Start along the first leg: at its speed through water, the bow already turned into the current."""
+        plan["start"][5] -= np.arcsin(np.clip(self.current_across / plan["speed"][0], -0.5, 0.5))
 
     def as_dict(self) -> dict[str, float | None]:
         """For JSON."""

@@ -78,7 +78,7 @@ def _judge(goal: Goal, plants: Sequence[Plant], flown: Sequence[dict[str, Figure
 
 
 def _where(plants: Sequence[Plant], holds: np.ndarray) -> dict[str, dict[str, float | None]]:
-    """Mean of each uncertain number where the goal holds and where it fails, in shares of its range (-1 to 1).
+    """Mean of each uncertain number where the goal holds and where it fails, -1 to 1 over its range.
 
     `magnitude` compares distances from the range's middle: failures at both ends show there.
     """

@@ -17,6 +17,9 @@ from twin.vehicle import Vehicle
 FAULT_TIME_S = 45.0
 Overrides = Mapping[str, Mapping[str, Any]]
 
+# Shared by all six: a target once seen is remembered for 30 s, and hover ends far enough out that a drifting
+# vehicle does not chatter between R and H.
+SHARED: Overrides = {"supervisor": {"detection_hold_cycles": 300, "range_rh_upper_m": 2.5}}
 HARD: Overrides = {
     "bumpless": {
         "ramp": False,
@@ -155,12 +158,12 @@ def mission_text(scenario: Scenario) -> str:
         "duration_s": 72,
         "seed": 1,
     }
-    tail: dict[str, Any] = {"parameters": merged(scenario.overrides)}
+    tail: dict[str, Any] = {"parameters": merged(SHARED, scenario.overrides)}
     if scenario.fault:
         fault = {"actuator": "n_p", "at_s": FAULT_TIME_S, "effectiveness": 0.4, "blend_s": 2.0}
         tail = {"faults": [fault], **tail}
     about = (
-        "# One of the six scenarios of Gao et al. 2026, table 5: same plant, same references, other allocation.\n"
+        "# One of the six scenarios of Gao et al. 2026, table 5: one plant, one set of references.\n"
         "# Written by twin.study.scenarios; a test holds the two equal.\n"
     )
     return f"{about}{_yaml(head)}\n{REFERENCE}\n{_yaml(tail)}"
@@ -183,5 +186,5 @@ def mission_of(scenario: Scenario) -> Mission:
 
 
 def parameters_of(scenario: Scenario, vehicle: Vehicle, extra: Overrides | None = None) -> Parameters:
-    """The vehicle's parameters, then `extra` (a design under trial or an ablation), then the scenario's own."""
-    return with_overrides(default_parameters(vehicle), merged(extra or {}, scenario.overrides))
+    """The vehicle's parameters, then `extra` (a trial or an ablation), then the scenario's own."""
+    return with_overrides(default_parameters(vehicle), merged(SHARED, extra or {}, scenario.overrides))

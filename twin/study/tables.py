@@ -1,7 +1,7 @@
 """Tables 6, 7 and 8 in the paper's format: paper, ours, relative change, and the spread over seeds.
 
     table6(seeds=(1, 2, 3, 4, 5))["rows"]["S4"]["d_u_FR"]
-    -> {"paper": 0.9044, "ours": ..., "spread": [min, max], "change": ..., "paper_change": ..., "other": {...}}
+    -> {"paper": 0.9044, "ours": ..., "spread": [least, largest], "change": ..., "other": {...}, ...}
 
 Everything returned is plain and fit for JSON. `change` is relative to the row's reference scenario
 (S3 for S4's d_u, S1 for e_tau, S5 for S6), `other` holds the same figure under the other readings.
