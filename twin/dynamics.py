@@ -2,8 +2,9 @@
 
 Source: Gao et al. 2026, eq. (1)-(7); Fossen 2021, ch. 6, 8 and 10.
 Differs: rigid-body terms use the velocity over ground, hydrodynamic terms the velocity through
-water, M_RB nu' + C_RB(nu) nu + M_A nu_r' + C_A(nu_r) nu_r + D nu_r + g = tau, which is exact in a
-current that changes with time.
+water, M_RB nu' + C_RB(nu) nu + M_A nu_r' + C_A(nu_r) nu_r + D nu_r + g = tau + tau_w. Water that is
+accelerated, as under waves, pushes the displaced volume along (tau_w, the Froude-Krylov force), so
+that a neutrally buoyant body drifts with it.
 """
 
 from math import cos, sin
@@ -64,6 +65,24 @@ def restoring_force(model, phi, theta, out):
     out[3] += (rg[1] * W - rb[1] * B) * ct * cf - (rg[2] * W - rb[2] * B) * ct * sf
     out[4] -= (rg[2] * W - rb[2] * B) * st + (rg[0] * W - rb[0] * B) * ct * cf
     out[5] += (rg[0] * W - rb[0] * B) * ct * sf + (rg[1] * W - rb[1] * B) * st
+
+
+@jit
+def displaced_water_force(model, acceleration, out):
+    """Add the Froude-Krylov force to out (6,): the pressure gradient of water accelerated by
+    `acceleration` (3,), m/s^2 in body axes, acts on the displaced mass at the centre of buoyancy.
+
+    Source: Faltinsen 1990, ch. 3 (a body small against the wave's length).
+    """
+    displaced = model.M_RB[0, 0] * model.buoyancy / model.weight
+    x, y, z = displaced * acceleration[0], displaced * acceleration[1], displaced * acceleration[2]
+    r = model.r_b
+    out[0] += x
+    out[1] += y
+    out[2] += z
+    out[3] += r[1] * z - r[2] * y
+    out[4] += r[2] * x - r[0] * z
+    out[5] += r[0] * y - r[1] * x
 
 
 @jit

@@ -7,7 +7,7 @@ import numpy as np
 
 from twin.actuators import lag_rate, total_wrench
 from twin.compiled import jit
-from twin.dynamics import body_acceleration
+from twin.dynamics import body_acceleration, displaced_water_force
 from twin.environment import step_gust, water_velocity
 from twin.frames import body_to_ned, euler_rates, ned_to_body
 
@@ -27,11 +27,12 @@ def state_rate(model, plan, gust, effectiveness, time, x, command, rate, work):
         nu_r[k] = nu[k] - body[k]
         nu_r[3 + k] = nu[3 + k]
         nu_c_dot[3 + k] = 0.0
+    total_wrench(model, u, effectiveness, nu_r, tau)
     ned_to_body(eta[3], eta[4], eta[5], a_c, nu_c_dot)
+    displaced_water_force(model, nu_c_dot, tau)
     nu_c_dot[0] -= nu[4] * body[2] - nu[5] * body[1]
     nu_c_dot[1] -= nu[5] * body[0] - nu[3] * body[2]
     nu_c_dot[2] -= nu[3] * body[1] - nu[4] * body[0]
-    total_wrench(model, u, effectiveness, nu_r, tau)
     for k in range(6):
         tau[k] += plan.tau_e[k]
     body_acceleration(model, eta, nu, nu_r, nu_c_dot, tau, force, rate[6:12])

@@ -9,8 +9,9 @@ from scipy.spatial.transform import Rotation
 from twin import records
 from twin.actuators import fin_force, total_wrench
 from twin.dynamics import coriolis_force, damping_force, restoring_force
+from twin.environment import water_velocity
 from twin.frames import body_to_ned, euler_rates, ned_to_body
-from twin.plant import new_work, observe_plant, step_plant
+from twin.plant import new_work, observe_plant, state_rate, step_plant
 
 angle = st.floats(-3.1, 3.1)
 pitch = st.floats(-1.4, 1.4)
@@ -156,6 +157,27 @@ def test_a_steady_current_carries_the_vehicle_along(model):
         step_plant(model, plan[0], plant[0], command, 0.05, 2, noise, work)
     np.testing.assert_allclose(plant[0]["nu"], [0.3, -0.2, 0, 0, 0, 0], atol=1e-9)
     np.testing.assert_allclose(plant[0]["eta"][:2], [3.0, -2.0], atol=1e-8)
+
+
+def test_waves_carry_a_vehicle_as_heavy_as_its_water_along(model):
+    """Protects: accelerated water pushes the displaced volume too: at the water's own speed and turned any
+    way, a neutrally buoyant vehicle gets the water's own acceleration."""
+    afloat = model.copy()
+    afloat["buoyancy"], afloat["r_b"] = afloat["weight"], afloat["r_g"]
+    plan, plant = np.zeros(1, records.PLAN), free_plant(np.zeros(6))
+    plan[0]["wave_height"], plan[0]["wave_period"], plan[0]["wave_direction"] = 0.4, 5.0, 0.7
+    velocity, acceleration, rate = np.zeros(3), np.zeros(3), np.zeros(20)
+    command, work = np.zeros(records.MAX_ACTUATORS), np.zeros(48)
+    x = np.zeros(20)
+    x[:6] = [1.0, 2.0, 1.5, 0.0, 0.0, 0.9]
+    for time in np.linspace(0.0, 5.0, 7):
+        water_velocity(plan[0], plant[0]["gust"], time, x[:6], velocity, acceleration)
+        ned_to_body(0.0, 0.0, 0.9, velocity, x[6:9])
+        healthy = plant[0]["effectiveness"]
+        state_rate(afloat, plan[0], plant[0]["gust"], healthy, time, x, command, rate, work)
+        expected = np.zeros(3)
+        ned_to_body(0.0, 0.0, 0.9, acceleration, expected)
+        np.testing.assert_allclose(rate[6:12], [*expected, 0, 0, 0], atol=1e-9)
 
 
 def test_turning_circles_to_port_and_starboard_mirror_each_other(model):
