@@ -118,9 +118,7 @@ def test_a_request_that_fails_on_the_loop_does_not_stop_it(flying: Flying) -> No
     assert flying.start().accepted
 
 
-def test_a_request_whose_check_breaks_is_refused_too(
-    flying: Flying, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_request_whose_check_breaks_is_refused_too(flying: Flying, monkeypatch: pytest.MonkeyPatch) -> None:
     """The thread that answers must outlive what nobody foresaw, or the vehicle is deaf from then on."""
 
     def broken(*_: object) -> None:
