@@ -124,4 +124,4 @@ $(DONE)/compiled: $(DONE)/project $(TWIN)
 	@touch $@
 
 .PHONY: help run test check check-style check-imports check-types check-console check-containers check-gen \
-	check-leaks gen bench format console chromium lock clean
+	check-leaks gen bench bench-live format console chromium lock clean

@@ -121,8 +121,8 @@ def note_memory(process_id: int, seen: Seen) -> None:
         seen.peaks["node"] = int(re.search(r"VmHWM:\s+(\d+)", status)[1])  # type: ignore[index]
 
 
-async def measure(minutes: float, streams: int, scene: str, mission: str) -> int:
-    """Run it and print the figures; 1 when a cycle was missed."""
+async def observe(minutes: float, streams: int, scene: str, mission: str) -> Seen:
+    """Run it and return what was seen."""
     seen = Seen()
     with tempfile.TemporaryDirectory() as data:
         async with server(data, scene) as (process, address), httpx.AsyncClient(base_url=address) as http:
@@ -144,11 +144,11 @@ async def measure(minutes: float, streams: int, scene: str, mission: str) -> int
                     raise fault
                 task.cancel()
             await asyncio.gather(*tasks, return_exceptions=True)
-    return report(seen, minutes, streams, scene)
+    return seen
 
 
 def report(seen: Seen, minutes: float, streams: int, scene: str) -> int:
-    """Print the figures."""
+    """Print the figures; 1 when a cycle was missed."""
     h = seen.health
     assert h is not None
     cpus, load = os.cpu_count(), os.getloadavg()[0]
@@ -174,7 +174,8 @@ def main() -> int:
     parser.add_argument("--scene", choices=("full", "light", "off"), default="full")
     parser.add_argument("--mission", default="docking")
     options = parser.parse_args()
-    return asyncio.run(measure(options.minutes, options.streams, options.scene, options.mission))
+    seen = asyncio.run(observe(options.minutes, options.streams, options.scene, options.mission))
+    return report(seen, options.minutes, options.streams, options.scene)
 
 
 if __name__ == "__main__":
