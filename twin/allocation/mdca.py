@@ -11,6 +11,7 @@ from math import isfinite
 
 from twin.allocation.kkt import kkt_residual
 from twin.allocation.qp import solve_box_qp
+from twin.allocation.qp_active_set import solve_active_set
 from twin.allocation.qp_status import SOLVED as QP_SOLVED
 from twin.allocation.wrench_map import to_command, to_x, wrench_map
 from twin.compiled import jit
@@ -116,8 +117,11 @@ def allocate_mdca(handle, settings, model, a, w):
         if a.iterations >= settings.sqp_iterations:
             break
         a.iterations += 1
-        if solve_box_qp(handle, w.H, w.g, w.lb, w.ub, step, n) != QP_SOLVED:
-            fallback = True
+        if a.iterations == 1:
+            fallback = solve_box_qp(handle, w.H, w.g, w.lb, w.ub, step, n) != QP_SOLVED
+        else:  # the bounds that hold are known but for a few: the exact finish alone finds those
+            qp_status, _ = solve_active_set(w.H, w.g, w.lb, w.ub, step, n)
+            fallback = fallback or qp_status != QP_SOLVED
         eta, accepted = 1.0, False
         for _ in range(_BACKTRACKS):
             for i in range(n):
