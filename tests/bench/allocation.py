@@ -13,7 +13,6 @@ from tests.bench.nlp_peers import PEERS, Solve
 from twin import records
 from twin.allocation.qp import make_handle
 from twin.allocation.wrench_map import to_x, wrench_map
-from twin.model import build_model
 from twin.settings import fill_settings
 from twin.simulation import one, parameters_for
 from twin.vehicle import Vehicle
@@ -25,7 +24,7 @@ class Ours:
     """Our allocator on the stream."""
 
     def __init__(self, vehicle: Vehicle, problems: np.ndarray, solver: str) -> None:
-        self.model, self.problems = build_model(vehicle), problems
+        self.model, self.problems = stream.model_of(vehicle), problems
         self.settings = one(records.SETTINGS)
         fill_settings(self.settings, vehicle, parameters_for(vehicle, None))
         self.handle = make_handle(solver)
@@ -78,7 +77,7 @@ def check_generic_map(model: np.record, problems: np.ndarray) -> None:
 def figures(vehicle: Vehicle, rounds: int, paced_seconds: float) -> Iterator[Figure]:
     """Every row about allocation."""
     problems = np.concatenate([stream.record(vehicle, m) for m in stream.missions(vehicle)])
-    model = build_model(vehicle)
+    model = stream.model_of(vehicle)
     check_generic_map(model, problems)
     best = np.zeros(len(problems))
     stream.tight_optimum(model, problems, np.random.default_rng(0).random((5, 8)), best)

@@ -15,8 +15,10 @@ from tests.bench import stream
 from tests.bench.figure import Figure, figure, interleaved
 from twin import records
 from twin.compiled import jit
+from twin.dynamics import body_acceleration
 from twin.envelope import attainable_sets, wrench_curves
 from twin.envelope_hull import hull_of_points
+from twin.frames import body_to_ned, euler_rates
 from twin.model import build_model
 from twin.parameters import Parameters
 from twin.plant import N_STATE, new_work, state_rate
@@ -40,7 +42,7 @@ def closed_loop(vehicle: Vehicle, rounds: int) -> Iterator[Figure]:
 
     taken = interleaved({s: lambda s=s: fly(s) for s in ("osqp", "active_set")}, rounds)
     each = {s: taken[s] / flown[s] for s in taken}
-    count = f"{len(missions)} missions" if len(missions) == 6 else f"{len(missions)} docking missions"
+    count = "all six scenarios" if len(missions) == 6 else f"{len(missions)} docking missions"
     title = f"closed loop, {count}, one core, 20 Hz, two RK4 substeps, noise"
     yield figure("real_time", title, 1.0 / each["osqp"], "× real time", at_least=2500)
     ratio = each["osqp"] / each["active_set"]
@@ -51,6 +53,21 @@ def _with_solver(parameters: Parameters, solver: Any) -> Parameters:
     return dataclasses.replace(
         parameters, allocation=dataclasses.replace(parameters.allocation, solver=solver)
     )
+
+
+@jit
+def wrench_steps(model, x, tau, dt, count, rate, work):
+    """`count` explicit Euler steps of the body alone under a constant wrench, as auv-sim-bench has it."""
+    nu_c_dot, force = work[0:6], work[6:12]
+    for k in range(6):
+        nu_c_dot[k] = 0.0
+    for _ in range(count):
+        eta, nu = x[0:6], x[6:12]
+        body_acceleration(model, eta, nu, nu, nu_c_dot, tau, force, rate[6:12])
+        body_to_ned(eta[3], eta[4], eta[5], nu, rate)
+        rate[3], rate[4], rate[5] = euler_rates(eta[3], eta[4], nu[3], nu[4], nu[5])
+        for i in range(12):
+            x[i] += dt * rate[i]
 
 
 @jit
@@ -72,6 +89,18 @@ def _our_steps(name: str) -> Callable[[], None]:
     def work_() -> None:
         x[:] = 0.0
         euler_steps(model, plan[0], x, command, DT, STEPS, rate, np.zeros(3), np.ones(8), work)
+        assert np.isfinite(x).all()
+
+    return work_
+
+
+def _our_body() -> Callable[[], None]:
+    model, x, tau = build_model(load_vehicle("ts100")), np.zeros(N_STATE), np.zeros(6)
+    tau[0], tau[5] = 10.0, 0.1
+
+    def work_() -> None:
+        x[:] = 0.0
+        wrench_steps(model, x, tau, DT, STEPS, np.zeros(N_STATE), new_work())
         assert np.isfinite(x).all()
 
     return work_
@@ -111,11 +140,11 @@ def _remus100(checkout: Path) -> Callable[[], None]:
 
 def one_step(rounds: int, checkout: Path | None) -> Iterator[Figure]:
     """One 6-DOF Euler step against peers."""
-    works = {"ts100": _our_steps("ts100"), "remus100": _our_steps("remus100")}
+    works = {"ts100": _our_steps("ts100"), "remus100": _our_steps("remus100"), "body": _our_body()}
     peers: list[tuple[str, str, str, float]] = []
     try:
         works["auv_sim_bench"] = _auv_sim_bench()
-        peers.append(("auv_sim_bench", "ts100", "auv-sim-bench", 250.0))
+        peers.append(("auv_sim_bench", "body", "auv-sim-bench, body under a wrench", 250.0))
     except ImportError:
         print("left out, not installed: auv-sim-bench")
     if checkout is not None:
@@ -124,7 +153,7 @@ def one_step(rounds: int, checkout: Path | None) -> Iterator[Figure]:
     else:
         print("left out, no --peer-path: PythonVehicleSimulator's remus100")
     taken = interleaved(works, rounds)
-    for name in ("ts100", "remus100"):
+    for name in ("ts100", "remus100", "body"):
         yield figure(f"step_{name}_us", f"one 6-DOF Euler step, {name}", taken[name] / STEPS * 1e6, "µs")
     for key, ours, title, goal in peers:
         ratio = (taken[key] / PEER_STEPS) / (taken[ours] / STEPS)

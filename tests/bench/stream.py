@@ -32,10 +32,20 @@ def missions(vehicle: Vehicle) -> list[Mission]:
     return [parse_mission(f.read_text(encoding="utf-8"), f.name, vehicle) for f in files]
 
 
+def model_of(vehicle: Vehicle) -> np.record:
+    """What the autopilot of `vehicle` works on."""
+    return Twin(vehicle)._model
+
+
 def record(vehicle: Vehicle, mission: Mission) -> np.ndarray:
-    """PROBLEM rows, one per control cycle of `mission`, as the autopilot posed them; u is its answer."""
+    """PROBLEM rows, one per control cycle of `mission`, as the autopilot posed them; u is its answer.
+
+    Empty for missions that are flown with another allocator than MD-CA.
+    """
     twin = Twin(vehicle)
     twin.start(mission)
+    if twin.parameters.allocation.allocator != "mdca":
+        return np.zeros(0, PROBLEM)
     autopilot, previous = twin._a[0], np.zeros(records.MAX_ACTUATORS)
     rows = np.zeros(int(mission.duration_s / twin.period_s), PROBLEM)
     for count, row in enumerate(rows):
