@@ -8,8 +8,7 @@ full drift angle beta, so that it is right in reversed flow and at rest; the pap
 
 from math import atan2, cos, pi, sin, sqrt
 
-import numpy as np
-
+from twin.allocation.qp_memory import carray, stack_floats
 from twin.compiled import inline, jit
 from twin.frames import wrap
 from twin.records import FIN
@@ -140,7 +139,7 @@ def actuator_wrench(model, i, command, nu_r, out):
 @jit
 def total_wrench(model, u, effectiveness, nu_r, out):
     """out (6,) = sum over actuators, each scaled by its effectiveness (1 = healthy)."""
-    one = np.zeros(6)
+    one = carray(stack_floats(6), (6,))
     out[:] = 0.0
     for i in range(model.n_u):
         one[:] = 0.0

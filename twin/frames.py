@@ -11,6 +11,8 @@ from twin.compiled import inline, jit
 @inline
 def wrap(angle):
     """Angle in [-pi, pi), rad."""
+    if -pi <= angle < pi:
+        return angle
     return (angle + pi) % (2.0 * pi) - pi
 
 
