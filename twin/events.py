@@ -57,6 +57,12 @@ def switch_reason(before: int, after: int, row: np.ndarray, s: np.ndarray) -> tu
     return f"range {d:.2f} m >= {s['d_rh_u']:.2f} m", "a range below it"
 
 
+def completed_event(out: EventWriter, row: np.ndarray) -> None:
+    """Add that the mission was completed with this LOG row."""
+    time_s = float(row["time"])
+    out.add("mission_completed", f"Mission completed after {time_s:.1f} s.", {}, time_s=time_s)
+
+
 def row_events(out: EventWriter, last: np.ndarray, row: np.ndarray, settings: np.ndarray) -> None:
     """Compare two consecutive LOG rows and add what an operator should hear of."""
     time_s = float(row["time"])
@@ -85,5 +91,16 @@ def row_events(out: EventWriter, last: np.ndarray, row: np.ndarray, settings: np
             out.add("target_found", f"Target found at {row['range']:.2f} m.", {}, time_s=time_s)
         else:
             out.add("target_lost", "Target lost; flying on its last known place.", {}, WARNING, time_s)
+    if row["leg"] != last["leg"]:
+        _leg_events(out, int(last["leg"]), int(row["leg"]), int(row["leg_count"]), time_s)
     if row["status"] != last["status"] and int(row["status"]) in _STATUS:
         out.add("allocator", f"Allocator: {_STATUS[int(row['status'])]}.", {}, WARNING, time_s)
+
+
+def _leg_events(out: EventWriter, before: int, after: int, count: int, time_s: float) -> None:
+    """Leg `count` is the way back after a missed approach."""
+    if after >= count:
+        text = "Target passed without being seen; going back for another approach."
+        out.add("approach_missed", text, {}, WARNING, time_s)
+    elif before >= count:
+        out.add("approach_repeated", "Back on the last leg; approaching again.", {}, time_s=time_s)

@@ -12,8 +12,8 @@ import numpy as np
 from twin import records
 from twin.allocation.qp import make_handle
 from twin.autopilot import reset_autopilot
-from twin.cycle import IDLE, closed_loop, run_batch
-from twin.events import EventWriter, TwinEvent, row_events
+from twin.cycle import COMPLETED, IDLE, RUNNING, closed_loop, run_batch
+from twin.events import EventWriter, TwinEvent, completed_event, row_events
 from twin.mission import Mission
 from twin.model import build_model
 from twin.parameters import Parameters, default_parameters, with_overrides
@@ -92,7 +92,7 @@ class Twin:
         self._rng = np.random.Generator(np.random.PCG64(self.seed))
         place_plant(self._plan, self._sensors, self._plant, self._rng)
         observe_plant(self._plant_model, self._plan[0], self._plant[0], self._work)
-        self._m[:] = 0
+        self._m[:] = self._a[:] = self._w[:] = 0  # nothing of an earlier run is left, not even in rounding
         reset_autopilot(self._modes, self._plan[0], self._model, self._a[0])
         self.phase, self._change = 2, 0
         self._last[:] = 0
@@ -164,7 +164,7 @@ class Twin:
         self._last[:] = self._row
         if phase != self.phase:
             self.phase = phase
-            self.events.add("mission_completed", f"Mission completed after {row['time']:.1f} s.", {})
+            completed_event(self.events, row)
         return row
 
     def drain_events(self) -> list[TwinEvent]:
@@ -219,7 +219,7 @@ def simulate(
     total = int(round(mission.duration_s / twin.period_s))
     log = np.zeros(total, records.LOG)
     filled, phase = 0, twin.phase
-    while filled < total and phase == 2:
+    while filled < total and phase == RUNNING:
         count = min(_CHUNK, total - filled)
         noise = twin._rng.standard_normal((count, records.N_NOISE))
         rows, phase = run_batch(
@@ -240,8 +240,9 @@ def simulate(
         )
         filled += rows
         if progress:
-            progress(filled / total if phase == 2 else 1.0)
+            progress(filled / total if phase == RUNNING else 1.0)
     log = log[:filled]
     for k in range(1, filled):
         row_events(twin.events, log[k - 1], log[k], twin._settings[0])
-    return Result(log, mission, vehicle, twin.parameters, twin.seed, phase, twin.drain_events())
+    completed_event(twin.events, log[-1])
+    return Result(log, mission, vehicle, twin.parameters, twin.seed, COMPLETED, twin.drain_events())

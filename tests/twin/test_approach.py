@@ -38,4 +38,6 @@ def test_a_missed_approach_is_flown_again(docking, ts100, seed):
     assert modes(result) == ["reverse", "forward", "reverse", "hover"]
     log = result.log
     assert log["leg"].max() == log["leg_count"][0]  # the way back was flown
+    told = [event.code for event in result.events if event.code.startswith("approach_")]
+    assert told == ["approach_missed", "approach_repeated"]
     assert log["mode"][-1] == records.HOVER and log["range_true"][-1] < 0.4
