@@ -2,9 +2,12 @@
 
 import json
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
+
+if TYPE_CHECKING:
+    from twin.mission import Mission
 
 
 def validate(
@@ -12,13 +15,17 @@ def validate(
         list[Path] | None, typer.Argument(help="Mission files.", exists=True, dir_okay=False, readable=True)
     ] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print the result as JSON.")] = False,
+    stability: Annotated[
+        bool, typer.Option("--stability/--quick", help="Also check the dwell time, some seconds per mission.")
+    ] = True,
     schema: Annotated[
         bool, typer.Option("--schema", help="Print the JSON Schema of missions and end.")
     ] = False,
 ) -> None:
     """Check mission files.
 
-    Every fault is one line: file:line:column: field = value; rule.
+    Every fault is one line: file:line:column: field = value; rule. A dwell time that no Lyapunov function
+    proves long enough is a warning.
 
     Exit code 1 when a file has a fault.
     """
@@ -32,21 +39,33 @@ def validate(
         raise typer.Exit(2)
     results: list[dict[str, Any]] = []
     for path in files:
-        problems = ()
+        problems, warnings = (), []
         try:
-            parse_mission(path.read_bytes().decode(), str(path))
+            mission = parse_mission(path.read_bytes().decode(), str(path))
+            warnings = _warnings(mission) if stability else []
         except MissionError as error:
             problems = error.problems
         except UnicodeDecodeError:
             typer.echo(f"{path}: is not UTF-8 text", err=True)
             raise typer.Exit(1) from None
-        results.append({"file": str(path), "ok": not problems, "problems": [p.as_dict() for p in problems]})
+        found = {"ok": not problems, "problems": [p.as_dict() for p in problems], "warnings": warnings}
+        results.append({"file": str(path), **found})
         if not as_json:
             for problem in problems:
                 typer.echo(str(problem), err=True)
+            for warning in warnings:
+                typer.echo(f"{path}: warning: {warning}", err=True)
             if not problems:
                 typer.echo(f"{path}: ok")
     if as_json:
         typer.echo(json.dumps(results, indent=2, ensure_ascii=False))
     if not all(result["ok"] for result in results):
         raise typer.Exit(1)
+
+
+def _warnings(mission: "Mission") -> list[str]:
+    from twin.stability import check_dwell, dwell_warning
+    from twin.vehicle import load_vehicle
+
+    warning = dwell_warning(check_dwell(mission, load_vehicle(mission.vehicle)))
+    return [warning] if warning else []

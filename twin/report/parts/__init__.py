@@ -18,6 +18,7 @@ PARTS: dict[str, str] = {
     "physics": "physics",
     "vehicles": "vehicles",
     "tank": "tank",
+    "stability": "stability",
 }
 
 # tables and figures by their names -> the part that makes them

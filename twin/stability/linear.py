@@ -1,0 +1,111 @@
+"""Finite differences of the compiled cycle, in the coordinates that have memory.
+
+The path law's slow estimate of drift is taken as constant: in H it is frozen, so no mode-wise function
+could contract it there.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from twin.stability.operating import Point
+
+Array = NDArray[np.float64]
+
+# record and field of every coordinate that can have memory, and the size of its disturbance
+_PLANT = {"eta": 1e-5, "nu": 1e-5, "u": 1e-5}
+_AUTOPILOT = {
+    "eta": 1e-5,
+    "nu": 1e-5,
+    "current": 1e-5,
+    "integral": 1e-5,
+    "bias": 1e-5,
+    "smooth_error": 1e-5,
+    "smooth_rate": 1e-5,
+    "alpha": 1e-5,
+    "u": 1e-5,
+}
+_FORGETS = 1e-9  # columns below this carry nothing to the next cycle
+
+
+@dataclass(frozen=True)
+class Coordinate:
+    """One number of the state: where it lives."""
+
+    record: str
+    field: str
+    index: int
+    size: float
+
+    @property
+    def name(self) -> str:
+        """Such as plant.nu[3]."""
+        return f"{'autopilot' if self.record == '_a' else 'plant'}.{self.field}[{self.index}]"
+
+
+def coordinates(point: Point) -> list[Coordinate]:
+    """All candidates; position north and east of the autopilot are the plant's.
+
+    An aligned offset that is never bled off only adds to its integral, which stands for both.
+    """
+    found, bled = [], point.twin._settings[0]["align_bleed"] > 0.0
+    for record, fields in (("_plant", _PLANT), ("_a", _AUTOPILOT)):
+        rows = getattr(point.twin, record)
+        for name, size in fields.items():
+            if rows.dtype.names is None or name not in rows.dtype.names:
+                continue
+            count = int(np.prod(rows.dtype[name].shape)) if rows.dtype[name].shape else 1
+            for k in range(count):
+                if not (record == "_a" and name == "eta" and k < 2) and (bled or name != "bias"):
+                    found.append(Coordinate(record, name, k, size))
+    return found
+
+
+def _add(point: Point, at: Coordinate, amount: float) -> None:
+    row = getattr(point.twin, at.record)[0]
+    if row.dtype[at.field].shape:
+        row[at.field][at.index] += amount
+    else:
+        row[at.field] += amount
+
+
+def read(point: Point, where: list[Coordinate]) -> Array:
+    """The present values of the coordinates."""
+    return np.array([np.atleast_1d(getattr(point.twin, c.record)[0][c.field])[c.index] for c in where], float)
+
+
+def difference(point: Point, where: list[Coordinate], cycles: int, enter: int | None = None) -> Array:
+    """Jacobian (n, n) of the state after `cycles` over the state now; `enter`: a mode to switch to first."""
+    saved, mode = point.save(), point.mode
+    out = np.zeros((len(where), len(where)))
+    for j, coordinate in enumerate(where):
+        ends = []
+        for sign in (1.0, -1.0):
+            point.restore(saved)
+            _add(point, coordinate, sign * coordinate.size)
+            if enter is not None:
+                point.enter(enter)
+            for _ in range(cycles):
+                point.step()
+            ends.append(read(point, where))
+        out[:, j] = (ends[0] - ends[1]) / (2.0 * coordinate.size)
+    point.restore(saved)
+    point.mode = mode
+    return out
+
+
+def with_memory(maps: list[Array]) -> NDArray[np.int64]:
+    """Indices of the coordinates that carry anything through any of the maps and are no constants.
+
+    What carries nothing follows from the others; what nothing ever changes is a parameter.
+    """
+    unit = np.eye(maps[0].shape[0])
+    constant = np.all([np.abs(m - unit).max(axis=1) < _FORGETS for m in maps], axis=0)
+    keep = np.flatnonzero(~constant)
+    while True:
+        strength = np.max([np.abs(m[np.ix_(keep, keep)]).max(axis=0) for m in maps], axis=0)
+        alive = strength > _FORGETS
+        if alive.all():
+            return keep
+        keep = keep[alive]
