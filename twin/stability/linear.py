@@ -13,19 +13,10 @@ from twin.stability.operating import Point
 
 Array = NDArray[np.float64]
 
-# record and field of every coordinate that can have memory, and the size of its disturbance
-_PLANT = {"eta": 1e-5, "nu": 1e-5, "u": 1e-5}
-_AUTOPILOT = {
-    "eta": 1e-5,
-    "nu": 1e-5,
-    "current": 1e-5,
-    "integral": 1e-5,
-    "bias": 1e-5,
-    "smooth_error": 1e-5,
-    "smooth_rate": 1e-5,
-    "alpha": 1e-5,
-    "u": 1e-5,
-}
+_PLANT = ("eta", "nu", "u")
+# of the autopilot every number may have memory but these: clocks, what is taken as exact, what is frozen in H
+_NOT_STATE = {"time", "hover_time", "solve_time", "target", "b", "hold_point", "ramp_length", "kappa"}
+_SIZE = 1e-5  # of a disturbance
 _FORGETS = 1e-9  # columns below this carry nothing to the next cycle
 
 
@@ -49,16 +40,17 @@ def coordinates(point: Point) -> list[Coordinate]:
 
     An aligned offset that is never bled off only adds to its integral, which stands for both.
     """
-    found, bled = [], point.twin._settings[0]["align_bleed"] > 0.0
-    for record, fields in (("_plant", _PLANT), ("_a", _AUTOPILOT)):
+    skipped = _NOT_STATE | (set() if point.twin._settings[0]["align_bleed"] > 0.0 else {"bias"})
+    numbers = point.twin._a.dtype
+    names = [n for n in numbers.names or () if numbers[n].base == np.float64 and n not in skipped]
+    found = []
+    for record, fields in (("_plant", _PLANT), ("_a", names)):
         rows = getattr(point.twin, record)
-        for name, size in fields.items():
-            if rows.dtype.names is None or name not in rows.dtype.names:
-                continue
+        for name in fields:
             count = int(np.prod(rows.dtype[name].shape)) if rows.dtype[name].shape else 1
             for k in range(count):
-                if not (record == "_a" and name == "eta" and k < 2) and (bled or name != "bias"):
-                    found.append(Coordinate(record, name, k, size))
+                if not (record == "_a" and name == "eta" and k < 2):
+                    found.append(Coordinate(record, name, k, _SIZE))
     return found
 
 

@@ -10,15 +10,19 @@ from twin.report.content import Part
 
 Progress = Callable[[float], None]
 
-# name of `--only` -> module here
-PARTS: dict[str, str] = {
-    "table3": "envelopes",
-    "identify": "identify",
-    "remus": "remus",
-    "physics": "physics",
-    "vehicles": "vehicles",
-    "tank": "tank",
-    "stability": "stability",
+# name of `--only` -> module here and its function
+PARTS: dict[str, tuple[str, str]] = {
+    "table3": ("envelopes", "part"),
+    "identify": ("identify", "part"),
+    "remus": ("remus", "part"),
+    "physics": ("physics", "part"),
+    "vehicles": ("vehicles", "part"),
+    "table6": ("study", "table6_part"),
+    "table7": ("study", "table7_part"),
+    "table8": ("study", "table8_part"),
+    "robustness": ("robustness", "part"),
+    "tank": ("tank", "part"),
+    "stability": ("stability", "part"),
 }
 
 # tables and figures by their names -> the part that makes them
@@ -38,4 +42,5 @@ def wanted_parts(only: list[str]) -> list[str]:
 
 def run_part(name: str, progress: Progress = lambda _: None) -> Part:
     """Make one part; its modules are imported only now."""
-    return import_module(f"twin.report.parts.{PARTS[name]}").part(progress)
+    module, function = PARTS[name]
+    return getattr(import_module(f"twin.report.parts.{module}"), function)(progress)
