@@ -35,6 +35,12 @@ def test_values_follow_the_stream(console: Page, server: ContractServer) -> None
     expect(console.get_by_text("REC 2.3 MB")).to_be_visible()
 
 
+def test_the_way_back_after_a_missed_approach_is_no_leg(console: Page, server: ContractServer) -> None:
+    """Protects from "3/2": the vehicle says leg `leg_count` while it goes back for another approach."""
+    server.keep_saying([*flight.hello(), ("tlm/guidance", pb.Guidance(leg=2, leg_count=2))])
+    expect(console.get_by_label("State", exact=True)).to_contain_text("Legback")
+
+
 def test_saturated_and_limited_actuators_are_marked_by_shape(console: Page, server: ContractServer) -> None:
     """Protects the mark that does not rest on colour."""
     server.keep_saying(in_flight(10.0))

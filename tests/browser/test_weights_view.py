@@ -80,6 +80,19 @@ def test_a_vehicle_that_flies_other_values_is_called_out(weights: Page, server: 
     )
 
 
+def test_a_new_node_that_counts_anew_ends_the_wait(weights: Page, server: ContractServer) -> None:
+    """Protects against waiting for ever, unable to apply again, for a revision that died with its node."""
+    tell(server, flight.parameters(), 7)
+    server.reply("PUT", "parameters", {"accepted": True, "reason": "", "revision": 8})
+    weights.get_by_label("Hover: Q Z", exact=True).fill("6.5")
+    weights.get_by_role("button", name="Apply to vehicle").click()
+    draft = weights.get_by_label("Draft", exact=True)
+    expect(draft).to_contain_text("Accepted, waiting for revision 8")
+    tell(server, flight.parameters(), 1)
+    expect(draft).to_contain_text("The vehicle flies other values in 1 field(s)")
+    expect(weights.get_by_role("button", name="Apply to vehicle")).to_be_enabled()
+
+
 def test_a_refusal_stands_at_its_field(weights: Page, server: ContractServer) -> None:
     """Protects reason and place of a refusal; nothing becomes active."""
     rule = "must be between 1e-09 and 1000"

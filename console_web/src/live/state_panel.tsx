@@ -1,4 +1,5 @@
 // Where the vehicle is and how it follows its path, in numbers.
+import type { Guidance } from "../gen/bumpless_pb";
 import { fixed, signed } from "../lib/format";
 import { useFrame } from "../stream/frame";
 import { live } from "../stream/store";
@@ -29,7 +30,7 @@ function Figures() {
     ["Speed", fixed(nav.speedOverGroundMps, 2), "m/s"],
     ["Current", fixed(current && Math.hypot(current.x, current.y), 2), "m/s"],
     ["Cross-track", signed(guidance?.crossTrackErrorM, 2), "m"],
-    ["Leg", guidance?.legCount ? `${guidance.leg + 1}/${guidance.legCount}` : "–", ""],
+    ["Leg", legText(guidance), ""],
   ];
   return (
     <dl class="cells">
@@ -41,4 +42,10 @@ function Figures() {
       ))}
     </dl>
   );
+}
+
+/** "2/3"; after a missed approach the vehicle is on its way back, which is no leg of the mission. */
+function legText(guidance: Guidance | undefined): string {
+  if (!guidance?.legCount) return "–";
+  return guidance.leg >= guidance.legCount ? "back" : `${guidance.leg + 1}/${guidance.legCount}`;
 }

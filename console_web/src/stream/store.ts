@@ -71,14 +71,21 @@ export class LiveStore {
 
   /** A reconnect replays events: each is kept once. */
   private addEvent(event: Event): void {
-    const key = `${event.stamp?.timeNs}/${event.code}/${event.text}`;
+    const key = keyOf(event);
     if (this.seen.has(key)) return;
     this.seen.add(key);
     const at = event.stamp?.timeNs ?? 0n;
     const place = this.events.findIndex((other) => (other.stamp?.timeNs ?? 0n) <= at);
     this.events = this.events.toSpliced(place < 0 ? this.events.length : place, 0, event).slice(0, EVENTS_KEPT);
-    if (this.seen.size > 4 * EVENTS_KEPT) this.seen.clear();
+    if (this.seen.size > 4 * EVENTS_KEPT) {
+      this.seen.clear();
+      for (const kept of this.events) this.seen.add(keyOf(kept));
+    }
   }
+}
+
+function keyOf(event: Event): string {
+  return `${event.stamp?.timeNs}/${event.code}/${event.text}`;
 }
 
 export const live = new LiveStore();

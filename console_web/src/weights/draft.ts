@@ -27,6 +27,7 @@ export class Draft {
   private lastPath = "";
   private source: unknown;
   private activeFlat: Flat = {};
+  private revision = 0;
   private readonly version = signal(0);
 
   constructor() {
@@ -138,7 +139,10 @@ export class Draft {
     const apply = this.apply;
     const said = live.latest("tlm/parameters");
     const active = this.active();
-    if (apply.state === "awaiting" && said && Number(said.revision) >= apply.revision) {
+    const revision = Number(said?.revision ?? 0);
+    const anew = revision < this.revision; // another node counts from the beginning and will not reach ours
+    this.revision = revision;
+    if (apply.state === "awaiting" && said && (revision >= apply.revision || anew)) {
       const paths = Object.keys(apply.values).filter((path) => active[path] !== apply.values[path]);
       const count = Object.keys(this.changes).length;
       this.changes = Object.fromEntries(Object.entries(this.changes).filter(([p, v]) => active[p] !== v));
