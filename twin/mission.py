@@ -53,7 +53,12 @@ class Leg:
     """A straight line from the end of the leg before (the first: from the start)."""
 
     to_ned_m: Annotated[Vector3, position("End of the leg")]
-    speed_mps: Annotated[float, Number("Surge speed through the water", 0.01, 5.0, "m/s")]
+    speed_mps: Annotated[
+        float,
+        Number(
+            "Surge speed, through the water with guidance.crab_gain 1, over ground with 0", 0.01, 5.0, "m/s"
+        ),
+    ]
 
 
 @dataclass(frozen=True)

@@ -38,8 +38,8 @@ class ModeParameters:
 class SupervisorParameters:
     """When modes change: d_RH^L < d_RH^U < d_FR^L < d_FR^U < d_HF^U, and the detection filter.
 
-    Source: Gao et al. 2026, eq. (53). The filter (M of N, then hold) stands in front of chi;
-    1 of 1 with no hold gives the published automaton.
+    Source: Gao et al. 2026, eq. (53). The filter (M of N, then hold) stands in front of chi and
+    counts camera frames; 1 of 1 with no hold gives the published automaton.
     """
 
     range_rh_lower_m: float
@@ -50,7 +50,7 @@ class SupervisorParameters:
     dwell_cycles: int  # N_dwell
     detection_hits: int  # M
     detection_window: int  # N
-    detection_hold_cycles: int  # chi stays 1 this long after the filter last passed
+    detection_hold_cycles: int  # camera frames for which chi stays 1 after the filter last passed
 
 
 @dataclass(frozen=True)

@@ -18,9 +18,9 @@ const RANGES: Entry[] = [
 ];
 const COUNTS: Entry[] = [
   { key: "dwell_cycles", name: "Shortest stay in a mode", about: "N_dwell", unit: "cycles", integer: true },
-  { key: "detection_hits", name: "Detections needed", about: "M", unit: "cycles", integer: true },
-  { key: "detection_window", name: "Out of the last", about: "N; 1 of 1 switches the filter off", unit: "cycles", integer: true },
-  { key: "detection_hold_cycles", name: "Detection held for", about: "after the last hit", unit: "cycles", integer: true },
+  { key: "detection_hits", name: "Detections needed", about: "M", unit: "frames", integer: true },
+  { key: "detection_window", name: "Out of the last", about: "N; 1 of 1 switches the filter off", unit: "frames", integer: true },
+  { key: "detection_hold_cycles", name: "Detection held for", about: "after the last hit", unit: "frames", integer: true },
 ];
 
 /** "d_RH^L" with its index low and its bound high. */
