@@ -6,6 +6,7 @@ in one compiled loop. Both use the same compiled cycle, so the same seed gives t
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
@@ -21,7 +22,7 @@ from twin.plant import new_work, observe_plant
 from twin.settings import fill_settings, mode_controls, plan_of, sensors_of
 from twin.vehicle import Vehicle
 
-Alter = Callable[[np.ndarray, np.ndarray], None]
+Alter = Callable[[Any, Any], None]  # changes records in place
 _CHUNK = 1024  # cycles per compiled call of `simulate`, so that progress can be shown
 
 

@@ -1,7 +1,7 @@
 """What our design adds to the published method, each with what it does and how to switch it off alone.
 
 `off` lays the published behaviour over the design; `twin.study.ablation` flies with each of them.
-All scenarios share them where they have a meaning, the baselines S1 to S3 included; the tight ramp
+All scenarios share them where they have a meaning, the baselines S1 to S3 included; the priced ramp
 belongs to bumpless switching and so to S4 to S6 only.
 """
 
@@ -24,11 +24,11 @@ class Extension:
 
 EXTENSIONS: tuple[Extension, ...] = (
     Extension(
-        "tight ramp",
-        "increment bounds start a ramp at a share of themselves and open with kappa^4: bounds are among what "
-        "modes differ in, so the ramp of eq. (55) covers them too",
+        "priced ramp",
+        "while kappa < 1 the allocator pays for increments, (1 - kappa) mu ||x - x_prev||^2, so that neither "
+        "noise nor fins used as brakes shake the commands in a transition",
         False,
-        {"bumpless": {"ramp_increment_share": 1.0}},
+        {"bumpless": {"ramp_increment_price": 0.0}},
     ),
     Extension(
         "smooth shaft reversal",
@@ -66,11 +66,5 @@ EXTENSIONS: tuple[Extension, ...] = (
         "heading along the current; the heading reference turns at a limited rate",
         True,
         {"guidance": {"crab_gain": 0.0, "heading_rate_degps": 0.0}},
-    ),
-    Extension(
-        "aligned surge",
-        "eq. (56) for the speed integral too, not for depth and heading only",
-        False,
-        {"bumpless": {"align_channels": [0.0, 0.0, 1.0, 0.0, 0.0, 1.0]}},
     ),
 )

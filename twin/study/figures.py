@@ -1,10 +1,12 @@
 """The figures of merit of one scenario run, with every definition that decides a figure beside its twin.
 
 Source: Gao et al. 2026, sec. 4.2, tables 6 to 8. The paper leaves open what tau_c is, in which unit d_u is
-taken and what "deviation" means; each open choice is a name here, and PRIMARY says which one the tables use:
+taken and what "deviation" means; each open choice is a name here:
 
-  e_tau      `true`   tau_d minus the plant's actuator wrench, lags and faults included (primary)
-             `model`  tau_d minus the allocator's own map of its commands
+  e_tau      `model`  tau_d minus the map of eq. (28) at the commands and the estimated flow (primary
+                      without a fault, where the map is right)
+             `true`   tau_d minus the plant's actuator wrench, with lags, passive lift of fins in turns and
+                      drift, and faults (primary after a fault, which S5's own map hides)
   d_u        `bound`  commands divided by their amplitude bounds (primary)
              `thrust` the same with a screw's n|n| instead of n
              `mixed`  degrees and rpm in one norm, as printed in the paper

@@ -43,8 +43,8 @@ class Goal:
 GOALS: tuple[Goal, ...] = (
     Goal("d_u,FR S3->S4", "S4", "S3", "d_u_FR_bound", 0.10, 1 - 0.8117, "bumpless against hard, F to R"),
     Goal("d_u,RH S3->S4", "S4", "S3", "d_u_RH_bound", 0.20, 1 - 0.6253, "bumpless against hard, R to H"),
-    Goal("e_tau S1->S4", "S4", "S1", "rms_e_tau_true", 0.20, 1 - 0.7178, "allocation against none"),
-    Goal("S4<=S2 e_tau", "S4", "S2", "rms_e_tau_true", 1.0, 1.0719 / 0.7836, "no worse than pseudo-inverse"),
+    Goal("e_tau S1->S4", "S4", "S1", "rms_e_tau_model", 0.20, 1 - 0.7178, "allocation against none"),
+    Goal("S4<=S2 e_tau", "S4", "S2", "rms_e_tau_model", 1.0, 1.0719 / 0.7836, "no worse than pseudo-inverse"),
     Goal("S4<=S2 r_sat", "S4", "S2", "r_sat", 1.0, 1.0000 / 0.9995, "no worse than pseudo-inverse"),
     Goal("S4<=S2 d_u,FR", "S4", "S2", "d_u_FR_bound", 1.0, 0.9044 / 0.5817, "no worse than pseudo-inverse"),
     Goal("S4<=S2 d_u,RH", "S4", "S2", "d_u_RH_bound", 1.0, 0.0978 / 0.1212, "no worse than pseudo-inverse"),
@@ -55,10 +55,8 @@ GOALS: tuple[Goal, ...] = (
 
 # The same goals under the other readings of what the paper leaves open, shown beside the primary ones.
 READINGS: dict[str, dict[str, str]] = {
-    "tau_c by the allocator's model": {
-        "rms_e_tau_true": "rms_e_tau_model",
-        "rms_e_tau_post_true": "rms_e_tau_post_model",
-    },
+    "tau_c as the plant's true wrench": {"rms_e_tau_model": "rms_e_tau_true"},
+    "tau_c by the allocator's map": {"rms_e_tau_post_true": "rms_e_tau_post_model"},
     "d_u in thrust": {"d_u_FR_bound": "d_u_FR_thrust", "d_u_RH_bound": "d_u_RH_thrust"},
     "d_u in mixed deg and rpm": {"d_u_FR_bound": "d_u_FR_mixed", "d_u_RH_bound": "d_u_RH_mixed"},
     "peak deviation": {"d_theta_fault_rms": "d_theta_fault_peak", "d_psi_fault_rms": "d_psi_fault_peak"},

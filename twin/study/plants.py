@@ -8,6 +8,7 @@ fields of a Plant but not drawn.
 """
 
 from dataclasses import asdict, dataclass
+from typing import Any
 
 import numpy as np
 
@@ -65,7 +66,7 @@ class Plant:
     thrust: float = 1.0
     fin_lift: float = 1.0
 
-    def __call__(self, model: np.ndarray, plan: np.ndarray) -> None:
+    def __call__(self, model: Any, plan: Any) -> None:
         """Change the records of the true plant and its plan in place."""
         c, s = np.cos(plan["target"][3]), np.sin(plan["target"][3])
         along, across = self.current_along, self.current_across
@@ -89,7 +90,7 @@ class Plant:
             model[name] *= self.thrust
         model["C_La"][fin] *= self.fin_lift
 
-    def _start_in_trim(self, plan: np.ndarray) -> None:
+    def _start_in_trim(self, plan: Any) -> None:
         """Start along the first leg: at its speed through water, the bow already turned into the current."""
         plan["start"][5] -= np.arcsin(np.clip(self.current_across / plan["speed"][0], -0.5, 0.5))
 

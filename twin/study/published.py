@@ -30,11 +30,11 @@ _STEP = (
 TABLE_6 = (
     Column(
         "rms_e_tau_all",
-        "rms_e_tau_true",
+        "rms_e_tau_model",
         "N, N m",
-        "RMS over all cycles of the norm of tau_d minus the plant's true actuator wrench",
+        "RMS over all cycles of the norm of tau_d minus the map at the commands and the estimated flow",
         _rows(1, 3.7978, 0.7836, 1.0686, 1.0719),
-        ("rms_e_tau_model",),
+        ("rms_e_tau_true",),
     ),
     Column(
         "r_sat_all",
@@ -67,7 +67,7 @@ TABLE_7 = (
         "rms_e_tau_post",
         "rms_e_tau_post_true",
         "N, N m",
-        "as in table 6, from the fault to the end",
+        "RMS from the fault to the end of the norm of tau_d minus the plant's true actuator wrench",
         {"S5": 1.1335, "S6": 0.9988},
         ("rms_e_tau_post_model",),
     ),

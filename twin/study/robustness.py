@@ -16,7 +16,7 @@ from twin.study.plants import DISTRIBUTION, Plant, draw
 from twin.study.scenarios import Overrides
 from twin.study.tables import Progress
 
-SCENARIO_NAMES = ("S1", "S2", "S3", "S4", "S5", "S6")
+SCENARIO_NAMES: tuple[str, ...] = ("S1", "S2", "S3", "S4", "S5", "S6")
 WANTED_SHARE = 0.9
 
 
@@ -36,7 +36,9 @@ def run(
     jobs = [Job(name, p.number + 1, p, extra or {}) for p in plants for name in SCENARIO_NAMES]
     flat: list[Figures] = fly_all(jobs, workers=workers, progress=progress)
     n = len(SCENARIO_NAMES)
-    flown = [dict(zip(SCENARIO_NAMES, flat[i * n : (i + 1) * n], strict=True)) for i in range(n_plants)]
+    flown: list[dict[str, Figures]] = [
+        dict(zip(SCENARIO_NAMES, flat[i * n : (i + 1) * n], strict=True)) for i in range(n_plants)
+    ]
     return {
         "plants": [p.as_dict() for p in plants],
         "distribution": {
