@@ -41,7 +41,7 @@ class Console:
         self.version = software_version()
         self.data = DataDir(settings.data_dir)
         self.state = State(settings.vehicle_id)
-        self.missions = Missions(self.data.missions)
+        self.missions = Missions(self.data.missions, vehicle=self.vehicle)
         self.presets = Presets(self.data.presets)
         self.catalogue = Catalogue(self.data.runs, self.data.index)
         self.recorder = Recorder(

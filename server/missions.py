@@ -1,5 +1,6 @@
 """Mission files: those that come with the package, and uploaded ones in the data folder."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
@@ -9,6 +10,7 @@ from server.data_dir import write_whole
 from server.files import BadName, checked_name
 from twin.mission import Mission, MissionError, parse_mission
 from twin.problems import Problem
+from twin.vehicle import Vehicle
 
 ENDINGS = (".yaml", ".yml")
 
@@ -72,12 +74,21 @@ def builtin_folder() -> Path:
 
 
 class Missions:
-    """All missions by name (the file's, without .yaml)."""
+    """All missions by name (the file's, without .yaml).
 
-    def __init__(self, uploads: Path, builtin: Path | None = None) -> None:
+    `vehicle` tells which vehicle is on the bus: a mission may be for it though its file is not ours.
+    """
+
+    def __init__(
+        self,
+        uploads: Path,
+        builtin: Path | None = None,
+        vehicle: Callable[[], Vehicle | None] = lambda: None,
+    ) -> None:
         self._uploads = uploads
         self._builtin = builtin or builtin_folder()
-        self._read: dict[Path, tuple[tuple[int, int], MissionFile]] = {}
+        self._vehicle = vehicle
+        self._read: dict[Path, tuple[tuple[int, int, str], MissionFile]] = {}
 
     def all(self) -> list[MissionFile]:
         """Built-in missions first, each group by name."""
@@ -86,7 +97,7 @@ class Missions:
             for folder in (self._builtin, self._uploads)
             for ending in ENDINGS
             for path in folder.glob(f"*{ending}")
-            if not path.name.startswith(".")
+            if not path.name.startswith(".") and path.is_file()
         ]
         found = {path.stem: self._load(path) for path in reversed(paths)}
         return sorted(found.values(), key=lambda file: (not file.builtin, file.name))
@@ -102,7 +113,7 @@ class Missions:
     def save(self, name: str, text: str, replace: bool) -> MissionFile:
         """Check an uploaded mission and keep it. Raises BadName, MissionError or MissionExists."""
         name = checked_name(name, *ENDINGS)
-        parse_mission(text, f"{name}.yaml")
+        _parse(text, f"{name}.yaml", self._vehicle())
         present = self.get(name)
         if present is not None and present.builtin:
             raise MissionExists(f"{name} is a built-in mission; give yours another name")
@@ -125,16 +136,31 @@ class Missions:
         return True
 
     def _load(self, path: Path) -> MissionFile:
-        found = path.stat()
-        mark = (found.st_mtime_ns, found.st_size)
+        found, vehicle = path.stat(), self._vehicle()
+        mark = (found.st_mtime_ns, found.st_size, vehicle.sha256 if vehicle else "")
         cached = self._read.get(path)
         if cached is not None and cached[0] == mark:
             return cached[1]
         builtin = path.parent == self._builtin
-        text = path.read_text(encoding="utf-8", errors="replace")
+        text = ""
         try:
-            file = MissionFile(path.stem, path, builtin, text, parse_mission(text, path.name))
+            text = path.read_text(encoding="utf-8", errors="replace")
+            file = MissionFile(path.stem, path, builtin, text, _parse(text, path.name, vehicle))
         except MissionError as error:
             file = MissionFile(path.stem, path, builtin, text, None, error.problems)
+        except OSError as error:
+            problem = Problem(path.name, None, None, "", None, f"cannot be read: {error.strerror}")
+            file = MissionFile(path.stem, path, builtin, text, None, (problem,))
         self._read[path] = (mark, file)
         return file
+
+
+def _parse(text: str, source: str, present: Vehicle | None) -> Mission:
+    """Check a mission against the vehicle file of the name it asks for, or the present vehicle's own."""
+    try:
+        return parse_mission(text, source)
+    except MissionError as error:
+        unknown = any(one.field == "vehicle" for one in error.problems)
+        if present is None or not unknown or present.id not in text:
+            raise
+        return parse_mission(text, source, present)

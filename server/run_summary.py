@@ -1,11 +1,11 @@
 """What one MCAP file says about its run, read without its messages unless its end is missing."""
 
 import json
+import math
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from mcap.exceptions import McapError
 from mcap.reader import make_reader
 
 COMPLETE, INTERRUPTED, RECORDING = "complete", "interrupted", "recording"
@@ -59,9 +59,9 @@ def summarise(path: Path) -> RunSummary:
                 metadata[record.name] = record.metadata
             for attachment in reader.iter_attachments():
                 if attachment.name == METRICS_ATTACHMENT:
-                    metrics = json.loads(attachment.data)
-    except (McapError, ValueError, OSError) as error:
-        reason = f"the file cannot be read: {error}"
+                    metrics = json.loads(attachment.data, parse_constant=lambda _: None)
+    except Exception as error:  # whatever a damaged file makes of its reader: the other runs stay listed
+        reason = f"the file cannot be read: {error or type(error).__name__}"
     info, end = metadata.get("run", {}), metadata.get("end", {})
     state = end.get("state", INTERRUPTED)
     return RunSummary(
@@ -71,7 +71,7 @@ def summarise(path: Path) -> RunSummary:
         mission_sha256=info.get("mission_sha256", ""),
         vehicle=info.get("vehicle", ""),
         started_ns=_number(info.get("started_ns"), first_ns),
-        duration_s=float(end.get("duration_s") or seconds),
+        duration_s=_duration(end.get("duration_s"), seconds),
         state=state if state in (COMPLETE, INTERRUPTED) else INTERRUPTED,
         end_reason=end.get("reason", reason),
         messages=_number(end.get("messages"), messages),
@@ -82,3 +82,11 @@ def summarise(path: Path) -> RunSummary:
 
 def _number(text: str | None, otherwise: int) -> int:
     return int(text) if text and text.lstrip("-").isdigit() else otherwise
+
+
+def _duration(text: str | None, otherwise: float) -> float:
+    try:
+        seconds = float(text or "nan")
+    except ValueError:
+        return otherwise
+    return seconds if math.isfinite(seconds) else otherwise

@@ -1,5 +1,6 @@
 """The index of runs is only an index: whatever happens to it, the files bring it back."""
 
+import math
 import os
 import shutil
 import signal
@@ -11,7 +12,7 @@ import pytest
 
 from server.catalogue import Catalogue
 from server.mcap_log import LogWriter
-from server.run_summary import is_whole
+from server.run_summary import is_whole, summarise
 from twin.contract import bumpless_pb2 as pb
 
 WRITER = """
@@ -46,6 +47,17 @@ def catalogue(tmp_path: Path):
     catalogue.open()
     yield catalogue
     catalogue.close()
+
+
+@pytest.mark.parametrize("at", range(8, 400, 7))
+def test_a_damaged_file_hides_no_other(tmp_path: Path, at: int) -> None:
+    """Bytes gone wrong anywhere in one file: it is listed with what can be told, in plain numbers."""
+    path = write_run(tmp_path, "damaged", 1)
+    content = bytearray(path.read_bytes())
+    content[-at] ^= 0xFF
+    path.write_bytes(content)
+    summary = summarise(path)
+    assert summary.id == "damaged" and math.isfinite(summary.duration_s)
 
 
 def test_it_is_rebuilt_from_the_files(catalogue: Catalogue, tmp_path: Path) -> None:

@@ -5,9 +5,11 @@ from pathlib import Path
 
 import pytest
 
-from server.missions import builtin_folder
+from server.missions import Missions, builtin_folder
 from server.settings import Settings
 from tests.server.serving import Running, serving
+from twin.mission import MissionError
+from twin.vehicle import load_vehicle, parse_vehicle
 
 DOCKING = (builtin_folder() / "docking.yaml").read_text()
 
@@ -128,3 +130,29 @@ def test_a_vehicle_that_does_not_answer_is_a_failure(make_settings: Callable[...
     with serving(make_settings("--deaf", command_timeout_s=0.5)) as server:
         server.until(lambda: server.console.state.latest("parameters"))
         assert server.http.post("/api/mission/abort").status_code == 503
+
+
+def test_a_mission_for_the_vehicle_on_the_bus_is_kept_though_its_file_is_not_ours(tmp_path: Path) -> None:
+    """An operator with a vehicle file of their own can upload missions for it, and only for it."""
+    own = parse_vehicle(
+        load_vehicle("ts100").text.replace('id = "ts100"', 'id = "harbour7"'), "harbour7.toml"
+    )
+    text = DOCKING.replace("vehicle: ts100", "vehicle: harbour7")
+    with pytest.raises(MissionError, match="no such vehicle"):
+        Missions(tmp_path).save("mine", text, replace=False)
+    missions = Missions(tmp_path, vehicle=lambda: own)
+    assert missions.save("mine", text, replace=False).mission is not None
+    with pytest.raises(MissionError, match="no such vehicle"):
+        missions.save("other", text.replace("harbour7", "harbour8"), replace=False)
+    with pytest.raises(MissionError, match="duration_s"):
+        missions.save("other", text.replace("duration_s: 90", "duration_s: -1"), replace=False)
+
+
+def test_what_is_no_file_is_no_mission(tmp_path: Path) -> None:
+    """A folder or a link to nothing among the uploads hides none of the missions."""
+    (tmp_path / "folder.yaml").mkdir()
+    (tmp_path / "dangling.yaml").symlink_to(tmp_path / "nowhere")
+    (tmp_path / "faulty.yaml").write_bytes(b"\xff\xff")
+    files = {file.name: file for file in Missions(tmp_path).all()}
+    assert files["docking"].mission is not None and files["faulty"].mission is None
+    assert "folder" not in files and "dangling" not in files
