@@ -56,6 +56,7 @@ class Twin:
         self._row, self._last = one(records.LOG), one(records.LOG)
         self._work = new_work()
         self._change = 0
+        self._paused_at_s = 0.0
         self._rng = np.random.Generator(np.random.PCG64(0))
         self._noise = np.zeros(records.N_NOISE)
         self._adopt(parameters or default_parameters(vehicle))
@@ -110,6 +111,7 @@ class Twin:
             psi,
         ]
         a["holding"], self._change, self.phase = 1, 1, 3
+        self._paused_at_s = float(a["time"])
         self.events.add("mission_paused", "Mission paused; holding station.", {})
 
     def _stopping_distance(self, surge: float) -> float:
@@ -122,7 +124,8 @@ class Twin:
         return surge * ramp_s / 2 + surge * abs(surge) / (2 * braking)
 
     def resume(self) -> None:
-        """Go on with the mission."""
+        """Go on with the mission; its longest duration does not count the pause."""
+        self._plan[0]["duration"] += float(self._a[0]["time"]) - self._paused_at_s
         self._a[0]["holding"], self._change, self.phase = 0, 1, 2
         self.events.add("mission_resumed", "Mission resumed.", {})
 

@@ -160,6 +160,24 @@ def test_same_seed_same_bytes_and_live_equals_batch(ts100, docking, flight):
             assert again.log[name].tobytes() == flight.log[name].tobytes(), name
 
 
+def test_a_pause_does_not_use_up_the_mission(ts100, docking):
+    """Protects: a mission paused for longer than its duration goes on after it, for the rest of its time."""
+    twin = Twin(ts100)
+    twin.start(docking)
+    for _ in range(100):
+        twin.step()
+    twin.pause()
+    for _ in range(2000):
+        twin.step()
+    twin.resume()
+    for _ in range(1600):
+        twin.step()
+    assert twin.phase == 2
+    for _ in range(110):
+        twin.step()
+    assert twin.phase == 4 and twin.drain_events()[-1].code == "mission_completed"
+
+
 def test_the_autopilot_sees_measurements_only(ts100, docking, flight):
     """Protects: no shortcut through truth: with noise the estimate differs from it in every channel."""
     log = flight.log[50:]
