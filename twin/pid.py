@@ -9,7 +9,7 @@ integral becomes at a switch when it is not aligned is chosen: kept in N, kept a
 Limits of scheduled channels may follow the schedule, so that no more is asked of fins than flow gives.
 """
 
-from math import cos, exp
+from math import cos, exp, pi
 
 from twin.compiled import inline, jit
 from twin.frames import wrap
@@ -44,6 +44,8 @@ def smooth_errors(settings, a):
         k = 1.0 - exp(-settings.dt / t) if t > 0.0 and a.cycle > 0 else 1.0
         gap = a.error[i] - a.smooth_error[i]
         a.smooth_error[i] += k * (wrap(gap) if i > 2 else gap)
+        if i > 2 and abs(a.smooth_error[i]) > pi:  # the short way round, as e itself
+            a.smooth_error[i] = wrap(a.smooth_error[i])
         t = settings.rate_filter[i]
         k = 1.0 - exp(-settings.dt / t) if t > 0.0 and a.cycle > 0 else 1.0
         a.smooth_rate[i] += k * (a.error_rate[i] - a.smooth_rate[i])

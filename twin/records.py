@@ -306,6 +306,7 @@ AUTOPILOT = np.dtype(
         ("tau_c", f8, 6),
         ("saturated", i8),
         ("status", i8),
+        ("refused", i8),  # cycles in a row without a demand to allocate
         ("iterations", i8),
         ("kkt", f8),
         ("cost", f8),

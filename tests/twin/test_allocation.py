@@ -104,6 +104,12 @@ def test_a_demand_that_is_no_number_is_refused(model, bad):
     before = a["u"].copy()
     allocate(make_handle("active_set"), s, model, a, w)
     assert a["status"] == 5 and (a["u"] == before).all()
+    for _ in range(60):
+        allocate(make_handle("active_set"), s, model, a, w)
+    assert a["status"] == 5 and not a["u"].any()  # it does not drive on blindly
+    a["tau_d"][2] = 0.1
+    allocate(make_handle("active_set"), s, model, a, w)
+    assert a["status"] != 5 and a["refused"] == 0
 
 
 def test_a_command_outside_its_amplitude_comes_back_by_its_increment(model):

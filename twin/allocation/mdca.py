@@ -18,6 +18,7 @@ from twin.compiled import jit
 
 SOLVED, BUDGET_SPENT, INFEASIBLE, FALLBACK, REFUSED = 1, 2, 3, 4, 5  # SolveStatus of the contract
 _BACKTRACKS = 6
+_HOLD = 1.0  # s for which the last command is held when demands are refused
 
 
 @jit
@@ -69,10 +70,12 @@ def normal_equations(Q, R, lam, tau_d, tau, jacobian, x, n, H, g):
 
 
 @jit
-def refuse(model, a):
-    """Hold the last command within this cycle's bounds; say so."""
+def refuse(settings, model, a):
+    """Hold the last command within this cycle's bounds and say so; after a second come to rest."""
+    a.refused += 1
+    keep = 1.0 if a.refused * settings.dt <= _HOLD else 0.0
     for i in range(model.n_u):
-        a.u[i] = min(max(a.u[i], a.u_lower[i]), a.u_upper[i])
+        a.u[i] = min(max(keep * a.u[i], a.u_lower[i]), a.u_upper[i])
     a.status = REFUSED
     a.iterations = 0
 
@@ -88,8 +91,9 @@ def allocate_mdca(handle, settings, model, a, w):
     n = model.n_u
     for k in range(6):
         if not isfinite(a.tau_d[k]) or not isfinite(a.nu_r[k]):
-            refuse(model, a)
+            refuse(settings, model, a)
             return
+    a.refused = 0
     x, lower, upper, step, trial = w.x, w.lower, w.upper, w.step, w.trial
     for i in range(n):
         w.u_previous[i] = a.u[i]
