@@ -23,7 +23,7 @@ run: $(DONE)/compiled console  ## install what is missing, start server and vehi
 test: $(DONE)/compiled $(DONE)/dev console chromium  ## the whole suite, browser included (ARGS="-k docking")
 	@$(BIN)/pytest $(ARGS)
 
-check: check-style check-imports check-types check-console check-containers check-gen check-leaks  ## lint, types, import rules, generated files, containers, leaks
+check: check-style check-imports check-types check-results check-console check-containers check-gen check-leaks  ## lint, types, import rules, generated files, containers, leaks
 
 check-style: $(DONE)/dev
 	$(BIN)/ruff check --quiet .
@@ -42,6 +42,9 @@ check-containers: $(DONE)/dev
 	$(BIN)/hadolint Dockerfile
 	$(NPM) .ci exec --offline -- dclint --max-warnings 0 ../docker-compose.yml
 
+check-results: $(DONE)/dev $(DONE)/project
+	@$(PY) -m server.cli.readme_results --check
+
 check-gen: $(DONE)/dev
 	@before=$$(cat $(GENERATED) | cksum) && $(MAKE) --no-print-directory gen && \
 	after=$$(cat $(GENERATED) | cksum) && if [ "$$before" != "$$after" ]; then \
@@ -58,6 +61,10 @@ gen: $(DONE)/dev  ## generate the contract's Python and TypeScript code
 	PYTHON=$(CURDIR)/$(PY) $(NPM) console_web run gen --silent
 
 MINUTES ?= 10
+results: $(DONE)/compiled  ## reproduce the paper and renew the README's results
+	$(BIN)/bumpless reproduce --out build/reproduce
+	@$(PY) -m server.cli.readme_results build/reproduce/reproduce.json
+
 bench: $(DONE)/compiled $(DONE)/dev $(DONE)/bench console  ## measure simulation, allocation and the live loop (MINUTES=10)
 	$(BIN)/bumpless run missions/docking.yaml
 	$(PY) -m tests.bench.alloc_peers
@@ -124,4 +131,4 @@ $(DONE)/compiled: $(DONE)/project $(TWIN)
 	@touch $@
 
 .PHONY: help run test check check-style check-imports check-types check-console check-containers check-gen \
-	check-leaks gen bench bench-live format console chromium lock clean
+	check-leaks check-results gen results bench bench-live format console chromium lock clean
