@@ -42,5 +42,7 @@ def percent(value: float | None) -> str:
     if value is None:
         return ""
     shown = value * 100.0
+    if abs(shown) >= 10_000:
+        return "> +9999 %" if shown > 0 else "< −9999 %"
     text = f"{shown:+.1f}" if abs(shown) < 100 else f"{shown:+.0f}"
     return f"{text} %".replace("-", "−")

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 Pair = tuple[int, int]
-LONGEST = 200_000  # cycles after which the search gives up
+LONGEST = 20_000  # cycles after which the search gives up
 SLOWEST = 1.0 - 1e-7  # a spectral radius above this counts as no contraction
 _ROUNDS = 120
 _LONGER = (1.0, 1.02, 1.05, 1.1, 1.2, 1.35, 1.5, 1.75, 2.0, 2.5, 3.0, 4.0, 6.0, 10.0)

@@ -19,7 +19,7 @@ from twin.simulation import Twin
 from twin.vehicle import Vehicle
 
 FAR_M = 500.0
-SETTLE_S = 300.0
+SETTLE_S = 200.0
 _KEPT = ("_plant", "_m", "_a", "_w", "_row", "_last")
 
 

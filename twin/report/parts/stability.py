@@ -12,7 +12,7 @@ from twin.stability import Dwell, check_dwell, dwell_warning
 from twin.stability.dwell import NAMES
 from twin.vehicle import load_vehicle
 
-MISSIONS = ("docking_current", "docking", "tank3", "rov_docking", "remus_docking")
+MISSIONS = ("docking_current", "docking", "rov_docking", "remus_docking")
 
 
 def part(progress: Progress) -> Part:
