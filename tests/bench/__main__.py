@@ -15,7 +15,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from tests.bench import allocation, loop, start
-from tests.bench.figure import Figure
+from tests.bench.figure import Figure, short
 from tests.bench.machine import describe
 from twin.vehicle import load_vehicle
 
@@ -40,12 +40,8 @@ def measured(options: argparse.Namespace) -> Iterator[Figure]:
 def line(f: Figure) -> str:
     """One row of the printed table."""
     mark = {True: "met", False: "NOT MET", None: ""}[f.met]
-    spread = f"{_short(f.low)} … {_short(f.high)}" if f.low != f.high else ""
-    return f"{f.title:72s} {_short(f.value):>9s} {f.unit:12s} {spread:>20s}  {f.goal:8s} {mark}"
-
-
-def _short(value: float) -> str:
-    return f"{value:.0f}" if abs(value) >= 100 else f"{value:.3g}"
+    spread = f"{short(f.low)} … {short(f.high)}" if f.low != f.high else ""
+    return f"{f.title:72s} {short(f.value):>9s} {f.unit:12s} {spread:>20s}  {f.goal:8s} {mark}"
 
 
 def regressions(figures: list[Figure], committed: dict) -> list[str]:
@@ -61,9 +57,9 @@ def regressions(figures: list[Figure], committed: dict) -> list[str]:
                 else f.value > before * (1 + TOLERANCE)
             )
             if worse:
-                said.append(f"{f.title}: {_short(f.value)}, was {_short(before)}")
+                said.append(f"{f.title}: {short(f.value)}, was {short(before)}")
         if f.unit == "%" and f.met is False:
-            said.append(f"{f.title}: {_short(f.value)} %, must be {f.goal}")
+            said.append(f"{f.title}: {short(f.value)} %, must be {f.goal}")
     return said
 
 

@@ -27,6 +27,11 @@ class Figure:
         return asdict(self)
 
 
+def short(value: float) -> str:
+    """Three significant digits."""
+    return f"{value:.0f}" if abs(value) >= 100 else f"{value:.3g}"
+
+
 def figure(
     key: str,
     title: str,
