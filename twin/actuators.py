@@ -8,7 +8,6 @@ full drift angle beta, so that it is right in reversed flow and at rest; the pap
 
 from math import atan2, cos, pi, sin, sqrt
 
-from twin.allocation.qp_memory import carray, stack_floats
 from twin.compiled import inline, jit
 from twin.frames import wrap
 from twin.records import FIN
@@ -120,32 +119,38 @@ def add_force(model, i, fx, fy, fz, out):
 
 
 @jit
-def actuator_wrench(model, i, command, nu_r, out):
-    """Add the wrench of actuator i to out (6,), N and N m about O_b. Source: eq. (23)-(26).
+def add_wrench(model, i, command, nu_r, share, out):
+    """Add `share` of the wrench of actuator i to out (6,), N and N m about O_b. Source: eq. (23)-(26).
 
     command: deflection (rad) or shaft speed (rev/s) as it is now; nu_r (6,) relative velocity.
     """
-    e = model.direction[i]
+    ex, ey, ez = model.direction[i, 0], model.direction[i, 1], model.direction[i, 2]
     if model.kind[i] == FIN:
         fx, fe, _, _ = fin_force(model, i, command, nu_r)
-        add_force(model, i, fx + fe * e[0], fe * e[1], fe * e[2], out)
+        fx, fe = share * fx, share * fe
+        add_force(model, i, fx + fe * ex, fe * ey, fe * ez, out)
     else:
         thrust, torque = thruster_force(model, i, command, nu_r)
-        add_force(model, i, thrust * e[0], thrust * e[1], thrust * e[2], out)
-        for k in range(3):
-            out[3 + k] += torque * e[k]
+        thrust, torque = share * thrust, share * torque
+        add_force(model, i, thrust * ex, thrust * ey, thrust * ez, out)
+        out[3] += torque * ex
+        out[4] += torque * ey
+        out[5] += torque * ez
+
+
+@jit
+def actuator_wrench(model, i, command, nu_r, out):
+    """Add the wrench of actuator i, all of it, to out (6,)."""
+    add_wrench(model, i, command, nu_r, 1.0, out)
 
 
 @jit
 def total_wrench(model, u, effectiveness, nu_r, out):
     """out (6,) = sum over actuators, each scaled by its effectiveness (1 = healthy)."""
-    one = carray(stack_floats(6), (6,))
-    out[:] = 0.0
+    for k in range(6):
+        out[k] = 0.0
     for i in range(model.n_u):
-        one[:] = 0.0
-        actuator_wrench(model, i, u[i], nu_r, one)
-        for k in range(6):
-            out[k] += effectiveness[i] * one[k]
+        add_wrench(model, i, u[i], nu_r, effectiveness[i], out)
 
 
 @inline

@@ -63,6 +63,14 @@ def completed_event(out: EventWriter, row: np.ndarray) -> None:
     out.add("mission_completed", f"Mission completed after {time_s:.1f} s.", {}, time_s=time_s)
 
 
+def eventful(log: np.ndarray) -> list[int]:
+    """Rows of a LOG array that `row_events` has something to say about, against the row before."""
+    changed = np.zeros(max(0, len(log) - 1), bool)
+    for name in ("mode", "detected", "leg", "status"):
+        changed |= log[name][1:] != log[name][:-1]
+    return [int(k) for k in np.flatnonzero(changed) + 1]
+
+
 def row_events(out: EventWriter, last: np.ndarray, row: np.ndarray, settings: np.ndarray) -> None:
     """Compare two consecutive LOG rows and add what an operator should hear of."""
     time_s = float(row["time"])

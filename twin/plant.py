@@ -19,16 +19,17 @@ N_WORK = 128  # scratch floats that `step_plant` needs
 def state_rate(model, plan, gust, effectiveness, time, x, command, rate, work):
     """rate (20,) = d/dt [eta nu u] at state x, commands held. work: scratch, at least 48 floats."""
     eta, nu, u = x[0:6], x[6:12], x[12:20]
+    phi, theta, psi = eta[3], eta[4], eta[5]
     v_c, a_c = work[0:3], work[3:6]
     nu_r, nu_c_dot, tau, force, body = work[6:12], work[12:18], work[18:24], work[24:30], work[30:33]
     water_velocity(plan, gust, time, eta, v_c, a_c)
-    ned_to_body(eta[3], eta[4], eta[5], v_c, body)
+    ned_to_body(phi, theta, psi, v_c, body)
     for k in range(3):
         nu_r[k] = nu[k] - body[k]
         nu_r[3 + k] = nu[3 + k]
         nu_c_dot[3 + k] = 0.0
     total_wrench(model, u, effectiveness, nu_r, tau)
-    ned_to_body(eta[3], eta[4], eta[5], a_c, nu_c_dot)
+    ned_to_body(phi, theta, psi, a_c, nu_c_dot)
     displaced_water_force(model, nu_c_dot, tau)
     nu_c_dot[0] -= nu[4] * body[2] - nu[5] * body[1]
     nu_c_dot[1] -= nu[5] * body[0] - nu[3] * body[2]
@@ -36,8 +37,8 @@ def state_rate(model, plan, gust, effectiveness, time, x, command, rate, work):
     for k in range(6):
         tau[k] += plan.tau_e[k]
     body_acceleration(model, eta, nu, nu_r, nu_c_dot, tau, force, rate[6:12])
-    body_to_ned(eta[3], eta[4], eta[5], nu, rate)
-    rate[3], rate[4], rate[5] = euler_rates(eta[3], eta[4], nu[3], nu[4], nu[5])
+    body_to_ned(phi, theta, psi, nu, rate)
+    rate[3], rate[4], rate[5] = euler_rates(phi, theta, nu[3], nu[4], nu[5])
     for i in range(8):
         rate[12 + i] = lag_rate(model, i, command[i], u[i]) if i < model.n_u else 0.0
 

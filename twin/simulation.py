@@ -14,7 +14,7 @@ from twin import records
 from twin.allocation.qp import make_handle
 from twin.autopilot import reset_autopilot
 from twin.cycle import COMPLETED, IDLE, RUNNING, closed_loop, run_batch
-from twin.events import EventWriter, TwinEvent, completed_event, row_events
+from twin.events import EventWriter, TwinEvent, completed_event, eventful, row_events
 from twin.mission import Mission
 from twin.model import build_model
 from twin.parameters import Parameters, default_parameters, with_overrides
@@ -218,6 +218,7 @@ def simulate(
     parameters: default is the vehicle's with the mission's overrides. seed: default is the
     mission's. progress is called with the share flown, 0 to 1. alter: as in `Twin.start`.
     """
+    parameters = parameters or parameters_for(vehicle, mission)
     twin = Twin(vehicle, parameters)
     twin.start(mission, seed, parameters, alter)
     total = int(round(mission.duration_s / twin.period_s))
@@ -246,7 +247,7 @@ def simulate(
         if progress:
             progress(filled / total if phase == RUNNING else 1.0)
     log = log[:filled]
-    for k in range(1, filled):
+    for k in eventful(log):
         row_events(twin.events, log[k - 1], log[k], twin._settings[0])
     completed_event(twin.events, log[-1])
     return Result(log, mission, vehicle, twin.parameters, twin.seed, COMPLETED, twin.drain_events())
