@@ -7,7 +7,7 @@ from twin.simulation import Result, one
 
 
 def test_rows_passed_over_have_nothing_to_say(flight: Result) -> None:
-    """Protects: an event that `row_events` learns to tell and `eventful` does not look for is lost in batches."""
+    """Protects: what `row_events` learns to tell and `eventful` does not look for is lost in batches."""
     settings = one(SETTINGS)
     fill_settings(settings, flight.vehicle, flight.parameters)
     chosen = set(eventful(flight.log))
