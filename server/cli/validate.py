@@ -16,16 +16,17 @@ def validate(
     ] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print the result as JSON.")] = False,
     stability: Annotated[
-        bool, typer.Option("--stability/--quick", help="Also check the dwell time, some seconds per mission.")
-    ] = True,
+        bool,
+        typer.Option("--stability", help="Also warn of an unproven dwell time; some time per file."),
+    ] = False,
     schema: Annotated[
         bool, typer.Option("--schema", help="Print the JSON Schema of missions and end.")
     ] = False,
 ) -> None:
     """Check mission files.
 
-    Every fault is one line: file:line:column: field = value; rule. A dwell time that no Lyapunov function
-    proves long enough is a warning.
+    Every fault is one line: file:line:column: field = value; rule. With --stability, a dwell time that no
+    Lyapunov function proves long enough is a warning.
 
     Exit code 1 when a file has a fault.
     """
