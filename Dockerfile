@@ -1,6 +1,8 @@
 # One image for the server and the vehicle node; docker-compose.yml gives each its command.
 FROM python:3.12-slim-bookworm AS build
 WORKDIR /src
+# the user that runs the image may not write bytecode, so it is made here
+ENV UV_COMPILE_BYTECODE=1
 COPY requirements-build.lock requirements.lock ./
 RUN python -m venv /opt/build \
     && /opt/build/bin/pip install --no-cache-dir --require-hashes -r requirements-build.lock \

@@ -1,9 +1,14 @@
-"""Rows about starting up and memory: fresh processes of this very tree."""
+"""Rows about starting up and memory: fresh processes of this very tree.
+
+A cached start finds both caches filled: Numba's machine code and Python's bytecode. Where neither the
+installer nor Python keeps bytecode, every process translates all that it imports once more: a row of its own.
+"""
 
 import os
 import resource
 import subprocess
 import sys
+import tempfile
 from collections.abc import Iterator
 
 from tests.bench.figure import Figure, figure
@@ -18,10 +23,13 @@ print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)
 """
 
 
-def _child(arguments: list[str]) -> tuple[float, str]:
-    """CPU seconds of a Python process, and what it printed."""
+def _child(arguments: list[str], bytecode: str | None = None) -> tuple[float, str]:
+    """CPU seconds of a Python process, and what it printed; `bytecode`: an empty folder to find none in."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    environment.pop("PYTHONDONTWRITEBYTECODE", None)
+    if bytecode is not None:
+        environment |= {"PYTHONPYCACHEPREFIX": bytecode, "PYTHONDONTWRITEBYTECODE": "1"}
     done = subprocess.run(
         [sys.executable, *arguments], cwd=ROOT, env=environment, check=True, capture_output=True, text=True
     )
@@ -31,13 +39,17 @@ def _child(arguments: list[str]) -> tuple[float, str]:
 
 def figures(rounds: int) -> Iterator[Figure]:
     """CPU of `bumpless --help` and of a first control cycle with cached code; memory of the latter."""
-    help_, first, memory = [], [], []
+    help_, first, source, memory = [], [], [], []
+    _child(["-m", "server.cli.main", "--help"])  # fills the caches
     _child(["-c", _FIRST_CYCLE])
     for _ in range(rounds):
+        with tempfile.TemporaryDirectory() as nothing:
+            source.append(_child(["-c", _FIRST_CYCLE], bytecode=nothing)[0])
         help_.append(_child(["-m", "server.cli.main", "--help"])[0])
         seconds, printed = _child(["-c", _FIRST_CYCLE])
         first.append(seconds)
         memory.append(int(printed.split()[-1]) / 1024)
     yield figure("help_s", "bumpless --help, CPU", help_, "s", below=0.3)
     yield figure("first_cycle_s", "first control cycle after a cached start, CPU", first, "s", below=3.0)
+    yield figure("first_cycle_source_s", "the same where no bytecode is kept", source, "s")
     yield figure("twin_mb", "peak memory of a process that flies the twin", memory, "MB")
