@@ -97,14 +97,17 @@ def allocate(handle, settings, model, a, w):
 def smooth_flow(settings, a):
     """Lag a.nu_r (6,), so that noise of the velocity log does not reach the fins through the map.
 
-    Of the turning rates only a share may be seen: what fins do by themselves against turning is then left
-    to the hull as damping instead of being undone.
+    Of sway and heave, and of the turning rates, only a share may be seen: what fins do by themselves against
+    drift and turning then stays with the hull, steadying it, instead of being undone. With no share of either
+    the map is the published one, alpha = delta. Source: Gao et al. 2026, eq. (15) and below.
     """
     t = settings.flow_filter
     k = 1.0 - exp(-settings.dt / t) if t > 0.0 and a.cycle > 0 else 1.0
     for i in range(6):
         a.flow[i] += k * (a.nu_r[i] - a.flow[i])
-        a.nu_r[i] = a.flow[i] if i < 3 else settings.flow_rates * a.flow[i]
+        a.nu_r[i] = a.flow[i]
+        if i > 0:
+            a.nu_r[i] *= settings.flow_drift if i < 3 else settings.flow_rates
 
 
 @jit

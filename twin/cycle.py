@@ -5,7 +5,7 @@ Both call the same functions, so what is fast is also what flies.
 
 from math import hypot, nan
 
-from twin.autopilot import autopilot_step, stop_actuators
+from twin.autopilot import autopilot_step, smooth_flow, stop_actuators
 from twin.compiled import jit
 from twin.guidance import observation_point
 from twin.navigation import navigate
@@ -47,7 +47,7 @@ def write_row(settings, plan, model, plant, m, a, phase, row, work):
         row.effectiveness[i] = plant.effectiveness[i]
     observation_point(plan, a, row.observation_point)
     for k in range(3):
-        row.nu_r_hat[k], row.current_hat[k] = a.nu_r[k], a.current[k]
+        row.nu_r_hat[k], row.current_hat[k] = a.flow[k], a.current[k]
         row.target_measured[k] = m.target[k] if m.detected == 1 else nan
         row.target[k] = a.target[k]
         row.current[k] = plant.current[k]
@@ -88,6 +88,7 @@ def closed_loop(
     measure(sensors, plan, plant, a.cycle, noise, m)
     if phase == ABORTED:
         navigate(settings, sensors, m, a, work)
+        smooth_flow(settings, a)
         stop_actuators(settings, model, a)
     else:
         autopilot_step(handle, settings, modes, sensors, plan, model, m, a, w, change, work)

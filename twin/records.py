@@ -130,6 +130,7 @@ SETTINGS = np.dtype(
         ("schedule_min", f8),  # least share of the gain
         ("scheduled", f8, 6),  # 1 where gains follow the speed schedule
         ("schedule_limits", i8),  # 1: integral and demand limits follow the schedule too
+        ("flow_drift", f8),  # share of sway and heave in the flow that the allocator sees
         ("flow_rates", f8),  # share of the turning rates in the flow that the allocator sees
         ("heading_rate", f8),  # rad/s, fastest change of the heading reference; 0: no limit
         ("flow_filter", f8),  # s, first-order lag on the velocity through water; 0: none
@@ -247,7 +248,7 @@ AUTOPILOT = np.dtype(
         ("nu", f8, 6),
         ("current", f8, 3),
         ("nu_r", f8, 6),
-        ("flow", f8, 6),  # nu_r before this cycle, smoothed
+        ("flow", f8, 6),  # velocity through water, smoothed; nu_r: what of it the allocator sees
         ("target", f8, 3),
         ("fixes", i8),
         # supervisor

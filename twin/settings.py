@@ -51,6 +51,7 @@ def fill_settings(out: np.ndarray, vehicle: Vehicle, parameters: Parameters) -> 
     s["schedule_speed"], s["schedule_min"] = guide.schedule_speed_mps, guide.schedule_min
     s["scheduled"] = guide.scheduled_channels
     s["schedule_limits"], s["flow_filter"] = guide.schedule_limits, guide.flow_filter_s
+    s["flow_drift"] = guide.flow_drift
     s["flow_rates"], s["heading_rate"] = guide.flow_rates, radians(guide.heading_rate_degps)
     s["crab_gain"] = guide.crab_gain
     s["error_filter"], s["rate_filter"] = guide.error_filter_s, guide.rate_filter_s

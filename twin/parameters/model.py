@@ -119,6 +119,7 @@ class GuidanceParameters:
     scheduled_channels: tuple[float, ...] = (0.0, 0.0, 0.0, 0.0, 1.0, 1.0)  # 1 where scheduled, shape (6,)
     schedule_limits: bool = False  # integral and demand limits of scheduled channels follow speed as well
     flow_filter_s: float = 0.0  # lag on the velocity through water that schedule and allocator see
+    flow_drift: float = 1.0  # share of v, w in that flow: fins steady the hull unless the allocator undoes it
     flow_rates: float = 1.0  # share of p, q, r in that flow: fins damp turning unless the allocator undoes it
     heading_rate_degps: float = 0.0  # the heading reference turns no faster; 0: no limit
     crab_gain: float = 0.0  # share of the estimated drift that the heading makes good at once

@@ -71,6 +71,7 @@ _FLAT = (
     Range("guidance.schedule_min", "1", 0.0, 1.0, "Least share of a scheduled gain"),
     Range("guidance.scheduled_channels", "1", 0.0, 1.0, "Channels whose gains follow speed", 6),
     Range("guidance.flow_filter_s", "s", 0.0, 100.0, "Lag on the estimated flow"),
+    Range("guidance.flow_drift", "1", 0.0, 1.0, "Share of sway and heave in the flow"),
     Range("guidance.flow_rates", "1", 0.0, 1.0, "Share of turning rates in the flow"),
     Range("guidance.heading_rate_degps", "°/s", 0.0, 180.0, "Fastest change of the heading reference"),
     Range("guidance.crab_gain", "1", 0.0, 1.0, "Share of the drift made good by heading"),
