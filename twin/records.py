@@ -3,7 +3,6 @@
 A record is a named, fixed-size block of memory. Compiled functions read and write its fields
 without conversion, it pickles, and a run is an array of `LOG` rows. Capacity is fixed
 (`MAX_ACTUATORS`), so one compilation serves every vehicle; unused entries are zero.
-
 Order of actuators: the vehicle file's. Wrench order: [X Y Z K M N] in body axes about O_b.
 """
 
