@@ -17,7 +17,7 @@ SUBSTEPS = 2  # Runge-Kutta steps per control period
 
 
 @jit
-def write_row(settings, plan, model, plant, m, a, phase, row, work):
+def write_row(settings, plan, truth, model, plant, m, a, phase, row, work):
     """Copy this cycle into a LOG row. work: scratch, at least 3 floats."""
     row.time, row.cycle, row.phase = a.time - settings.dt, a.cycle - 1, phase
     row.mode, row.previous_mode, row.kappa = a.mode, a.previous_mode, a.kappa
@@ -51,9 +51,9 @@ def write_row(settings, plan, model, plant, m, a, phase, row, work):
         row.target_measured[k] = m.target[k] if m.detected == 1 else nan
         row.target[k] = a.target[k]
         row.current[k] = plant.current[k]
-        work[k] = plan.target[k]
+        row.target_true[k] = truth.target[k]
     row.target[3] = plan.target[3]
-    observation_point(plan, plan, work)
+    observation_point(truth, truth, work)
     row.range_true = hypot(work[0] - plant.eta[0], work[1] - plant.eta[1])
 
 
@@ -64,6 +64,7 @@ def closed_loop(
     modes,
     sensors,
     plan,
+    truth,
     model,
     plant_model,
     plant,
@@ -78,22 +79,23 @@ def closed_loop(
 ):
     """One control cycle of plant and autopilot; fills `row`. Returns the phase after it.
 
-    model is what the autopilot knows, plant_model what is true. noise (N_NOISE,): this cycle's standard
-    normal samples. While idle the plant is moored.
+    plan and model are what the autopilot knows, truth and plant_model what is true; measurements `m` are the
+    only way from the one to the other. noise (N_NOISE,): this cycle's standard normal samples. While idle the
+    plant is moored.
     """
     if phase == IDLE:
         stop_actuators(settings, model, a)
-        write_row(settings, plan, model, plant, m, a, phase, row, work)
+        write_row(settings, plan, truth, model, plant, m, a, phase, row, work)
         return phase
-    measure(sensors, plan, plant, a.cycle, noise, m)
+    measure(sensors, truth, plant, a.cycle, noise, m)
     if phase == ABORTED:
         navigate(settings, sensors, m, a, work)
         smooth_flow(settings, a)
         stop_actuators(settings, model, a)
     else:
         autopilot_step(handle, settings, modes, sensors, plan, model, m, a, w, change, work)
-    write_row(settings, plan, model, plant, m, a, phase, row, work)
-    step_plant(plant_model, plan, plant, a.u, settings.dt, SUBSTEPS, noise, work)
+    write_row(settings, plan, truth, model, plant, m, a, phase, row, work)
+    step_plant(plant_model, truth, plant, a.u, settings.dt, SUBSTEPS, noise, work)
     if phase == RUNNING:
         if plan.hover_hold > 0.0 and a.hover_time >= plan.hover_hold:
             return COMPLETED
@@ -103,7 +105,9 @@ def closed_loop(
 
 
 @jit
-def run_batch(handle, settings, modes, sensors, plan, model, plant_model, plant, m, a, w, noise, log, work):
+def run_batch(
+    handle, settings, modes, sensors, plan, truth, model, plant_model, plant, m, a, w, noise, log, work
+):
     """Fly up to len(log) cycles from a started mission. Returns (rows written, phase at the end)."""
     phase = RUNNING
     for k in range(log.shape[0]):
@@ -113,6 +117,7 @@ def run_batch(handle, settings, modes, sensors, plan, model, plant_model, plant,
             modes,
             sensors,
             plan,
+            truth,
             model,
             plant_model,
             plant,

@@ -24,7 +24,7 @@ _CRAB_MAX = 0.35  # sine of the largest crab angle: the target must stay in the 
 
 @jit
 def observation_point(plan, a, out):
-    """out (3,): the point to hover at, `standoff` before the estimated target along the approach heading."""
+    """out (3,): the point to hover at, `standoff` before `a.target` against the approach heading."""
     out[0] = a.target[0] - plan.standoff * cos(plan.target[3])
     out[1] = a.target[1] - plan.standoff * sin(plan.target[3])
     out[2] = a.target[2]

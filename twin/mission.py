@@ -19,6 +19,7 @@ from twin.mission_fields import (
     Text,
     Vector3,
     Vector6,
+    offset,
     position,
     velocity,
     wrench,
@@ -70,6 +71,15 @@ class Target:
     standoff_m: Annotated[
         float, Number("Distance of the observation point before the target", 0.0, 100.0, "m")
     ]
+    true_offset_ned_m: Annotated[
+        Vector3, offset("Where a simulated target truly is, from position_ned_m; the vehicle must find out")
+    ] = (0.0, 0.0, 0.0)
+
+    @property
+    def true_position_ned_m(self) -> Vector3:
+        """Where the simulator puts the target; `position_ned_m` is where the plan believes it to be."""
+        (n, e, d), (dn, de, dd) = self.position_ned_m, self.true_offset_ned_m
+        return (n + dn, e + de, d + dd)
 
     @property
     def observation_point_ned_m(self) -> Vector3:

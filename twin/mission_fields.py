@@ -70,6 +70,11 @@ def position(about: str) -> Row:
     return Row(about, ("north", "east", "down"), (-1e5, -1e5, 0.0), (1e5, 1e5, 11000.0), "m")
 
 
+def offset(about: str) -> Row:
+    """A distance from a place, in NED."""
+    return Row(about, ("north", "east", "down"), (-100.0,) * 3, (100.0,) * 3, "m")
+
+
 def velocity(about: str) -> Row:
     """A velocity of water in NED."""
     return Row(about, ("north", "east", "down"), (-5.0,) * 3, (5.0,) * 3, "m/s")

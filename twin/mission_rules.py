@@ -20,7 +20,7 @@ def check_rules(
     document: Document, mission: Mission, vehicle: "Vehicle | None", any_vehicle: bool = False
 ) -> None:
     """Add a problem to the document for each broken rule."""
-    for path, value, rule in (*_legs(mission), *_times(mission)):
+    for path, value, rule in (*_legs(mission), *_target(mission), *_times(mission)):
         document.refuse(path, value, rule)
     if vehicle is None:
         vehicle = _vehicle_by_name(document, mission)
@@ -59,6 +59,16 @@ def _legs(mission: Mission) -> Iterator[tuple[str, object, str]]:
         if math.dist(start, end) < SHORTEST_LEG_M:
             rule = f"must end at least {SHORTEST_LEG_M:g} m from where the leg begins"
             yield f"legs[{i}].to_ned_m", list(end), rule
+
+
+def _target(mission: Mission) -> Iterator[tuple[str, object, str]]:
+    offset, depth = mission.target.true_offset_ned_m, mission.target.true_position_ned_m[2]
+    if depth < 0.0:
+        yield (
+            "target.true_offset_ned_m",
+            list(offset),
+            f"must keep the target under water (depth {depth:g} m)",
+        )
 
 
 def _times(mission: Mission) -> Iterator[tuple[str, object, str]]:

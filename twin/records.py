@@ -147,7 +147,7 @@ THRUST_LINEAR, SPEED_LINEAR = 0, 1
 
 MAX_FAULTS, MAX_OUTAGES, N_NOISE = 8, 16, 24
 
-PLAN = np.dtype(
+PLAN = np.dtype(  # all that an autopilot knows of a mission; what is true besides is `twin.truth`
     [
         ("n_legs", i8),
         ("waypoint", f8, (MAX_WAYPOINTS, 3)),  # NED, m; leg i goes from i to i + 1
@@ -158,19 +158,7 @@ PLAN = np.dtype(
         ("start_speed", f8),  # surge through water, m/s
         ("duration", f8),  # s
         ("hover_hold", f8),  # s in H within d_RH^U after which the mission is complete; 0: never
-        # environment
-        ("current", f8, 3),  # NED mean, m/s
-        ("gust_std", f8),  # m/s
-        ("gust_time", f8),  # s
-        ("wave_height", f8),  # m
-        ("wave_period", f8),  # s
-        ("wave_direction", f8),  # rad, towards
-        ("tau_e", f8, 6),  # constant external load, N and N m
-        # sensors
-        ("noise_scale", f8),
-        ("n_outages", i8),
-        ("outage", f8, (MAX_OUTAGES, 2)),  # s, target not seen in between
-        # faults
+        # faults it is told of; only a fault-tolerant allocator looks
         ("n_faults", i8),
         ("fault_actuator", i8, MAX_FAULTS),
         ("fault_time", f8, MAX_FAULTS),
@@ -394,7 +382,8 @@ LOG = np.dtype(
         ("tau", f8, 6),  # the plant's actuator wrench
         ("current", f8, 3),  # NED
         ("effectiveness", f8, _n),
-        ("range_true", f8),
+        ("range_true", f8),  # to the true target's observation point, m
+        ("target_true", f8, 3),  # NED
     ],
     align=True,
 )

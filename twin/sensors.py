@@ -31,9 +31,9 @@ def camera_view(sensors, eta, target, out):
 
 
 @jit
-def measure(sensors, plan, plant, cycle, noise, m):
+def measure(sensors, truth, plant, cycle, noise, m):
     """Fill the measurement record `m` from the plant. Source: Gao et al. 2026, sec. 4.1 (sensor suite)."""
-    s = plan.noise_scale
+    s = truth.noise_scale
     for k in range(3):
         std = sensors.heading_std if k == 2 else sensors.roll_pitch_std
         m.attitude[k] = plant.eta[3 + k] + s * std * noise[3 + k]
@@ -56,15 +56,15 @@ def measure(sensors, plan, plant, cycle, noise, m):
     m.fresh = 0
     if cycle % max(1, sensors.camera_period) == 0:
         m.fresh = 1
-        camera_view(sensors, plant.eta, plan.target, m.target)
+        camera_view(sensors, plant.eta, truth.target, m.target)
         seen = (
             abs(m.target[1]) <= sensors.camera_half_angle
             and abs(m.target[2]) <= sensors.camera_half_angle
             and sensors.camera_range_min <= m.target[0] <= sensors.camera_range_max
             and noise[17] >= sensors.camera_dropout
         )
-        for k in range(plan.n_outages):
-            if plan.outage[k, 0] <= plant.time < plan.outage[k, 1]:
+        for k in range(truth.n_outages):
+            if truth.outage[k, 0] <= plant.time < truth.outage[k, 1]:
                 seen = False
         m.detected = 1 if seen else 0
         m.target[0] *= 1.0 + s * sensors.camera_range_std * noise[18]

@@ -69,36 +69,18 @@ def mode_controls(parameters: Parameters) -> np.ndarray:
     return out
 
 
-def plan_of(mission: Mission, vehicle: Vehicle) -> np.ndarray:
-    """PLAN record of a mission, shape (1,)."""
+def plan_of(mission: Mission) -> np.ndarray:
+    """PLAN record of a mission, shape (1,), but for what `twin.truth.tell` adds: the start and the faults."""
     out = np.zeros(1, records.PLAN)
-    p, env = out[0], mission.environment
+    p = out[0]
     path = mission.path_ned_m
     p["n_legs"] = len(mission.legs)
     p["waypoint"][: len(path)] = path
     p["speed"][: len(mission.legs)] = [leg.speed_mps for leg in mission.legs]
     p["target"] = [*mission.target.position_ned_m, radians(mission.target.heading_deg)]
     p["standoff"] = mission.target.standoff_m
-    p["start"] = [*mission.start.position_ned_m, 0.0, 0.0, radians(mission.start.heading_deg)]
-    p["start_speed"], p["duration"] = mission.start.speed_mps, mission.duration_s
+    p["duration"] = mission.duration_s
     p["hover_hold"] = mission.end.hover_hold_s or 0.0
-    p["current"] = env.current_ned_mps
-    if env.current_variation:
-        p["gust_std"], p["gust_time"] = env.current_variation.std_mps, env.current_variation.time_constant_s
-    if env.wave:
-        p["wave_height"], p["wave_period"] = env.wave.height_m, env.wave.period_s
-        p["wave_direction"] = radians(env.wave.direction_deg)
-    p["tau_e"] = env.disturbance_body_n_nm
-    p["noise_scale"] = mission.sensors.noise_scale
-    p["n_outages"] = len(mission.sensors.outages)
-    for i, outage in enumerate(mission.sensors.outages):
-        p["outage"][i] = outage.from_s, outage.to_s
-    names = [actuator.name for actuator in vehicle.actuators]
-    p["n_faults"] = len(mission.faults)
-    for i, fault in enumerate(mission.faults):
-        p["fault_actuator"][i] = names.index(fault.actuator)
-        p["fault_time"][i], p["fault_blend"][i] = fault.at_s, fault.blend_s
-        p["fault_effectiveness"][i] = fault.effectiveness
     return out
 
 

@@ -20,6 +20,7 @@ from twin.model import build_model
 from twin.parameters import Parameters, default_parameters, with_overrides
 from twin.plant import new_work, observe_plant
 from twin.settings import fill_settings, mode_controls, plan_of, sensors_of
+from twin.truth import TRUTH, tell, truth_of
 from twin.vehicle import Vehicle
 
 Alter = Callable[[Any, Any], None]  # changes records in place
@@ -50,7 +51,7 @@ class Twin:
         self._handles: dict[str, np.ndarray] = {}
         self._model, self._plant_model = build_model(vehicle), build_model(vehicle)
         self._settings, self._modes = one(records.SETTINGS), np.zeros(3, records.MODE_CONTROL)
-        self._plan, self._sensors = one(records.PLAN), one(records.SENSORS)
+        self._plan, self._truth, self._sensors = one(records.PLAN), one(TRUTH), one(records.SENSORS)
         self._plant, self._m = one(records.PLANT), one(records.MEASUREMENT)
         self._a, self._w = one(records.AUTOPILOT), one(records.ALLOCATION_WORK)
         self._row, self._last = one(records.LOG), one(records.LOG)
@@ -82,18 +83,21 @@ class Twin:
     ) -> None:
         """Put the plant at the mission's start and begin; parameters default to vehicle plus mission.
 
-        alter(plant model, plan): may change the true vehicle and its sea, of which the autopilot is not told.
+        alter(plant model, truth): may change the true vehicle and the TRUTH record; of both the autopilot
+        learns no more than `twin.truth.tell` tells it.
         """
         self._adopt(parameters or parameters_for(self.vehicle, mission))
         self.mission, self.seed = mission, mission.seed if seed is None else seed
-        self._plan[:] = plan_of(mission, self.vehicle)
+        self._plan[:] = plan_of(mission)
+        self._truth[:] = truth_of(mission, self.vehicle)
         self._sensors[:] = sensors_of(self.vehicle, mission)
         self._plant_model = self._model.copy()
         if alter is not None:
-            alter(self._plant_model, self._plan[0])
+            alter(self._plant_model, self._truth[0])
+        tell(self._truth, self._plan)
         self._rng = np.random.Generator(np.random.PCG64(self.seed))
-        place_plant(self._plan, self._sensors, self._plant, self._rng)
-        observe_plant(self._plant_model, self._plan[0], self._plant[0], self._work)
+        place_plant(self._truth, self._sensors, self._plant, self._rng)
+        observe_plant(self._plant_model, self._truth[0], self._plant[0], self._work)
         self._m[:] = self._a[:] = self._w[:] = 0  # nothing of an earlier run is left, not even in rounding
         reset_autopilot(self._modes, self._plan[0], self._model, self._a[0])
         self.phase, self._change = 2, 0
@@ -150,6 +154,7 @@ class Twin:
             self._modes,
             self._sensors[0],
             self._plan[0],
+            self._truth[0],
             self._model,
             self._plant_model,
             self._plant[0],
@@ -176,20 +181,20 @@ class Twin:
         return self.events.drain()
 
 
-def place_plant(plan: np.ndarray, sensors: np.ndarray, plant: np.ndarray, rng: np.random.Generator) -> None:
+def place_plant(truth: np.ndarray, sensors: np.ndarray, plant: np.ndarray, rng: np.random.Generator) -> None:
     """Put the plant at the mission's start; draw the biases that last a run."""
     plant[:] = 0
     p = plant[0]
-    p["eta"] = plan[0]["start"]
+    p["eta"] = truth[0]["start"]
     psi = p["eta"][5]
-    current = plan[0]["current"]
-    p["nu"][0] = plan[0]["start_speed"] + current[0] * np.cos(psi) + current[1] * np.sin(psi)
+    current = truth[0]["current"]
+    p["nu"][0] = truth[0]["start_speed"] + current[0] * np.cos(psi) + current[1] * np.sin(psi)
     p["nu"][1] = -current[0] * np.sin(psi) + current[1] * np.cos(psi)
     p["effectiveness"] = 1.0
     draws = rng.standard_normal(4)
     p["heading_bias"] = draws[0] * sensors[0]["heading_bias_std"]
     p["depth_bias"] = draws[1] * sensors[0]["depth_bias_std"]
-    p["gust"][:2] = draws[2:4] * plan[0]["gust_std"]
+    p["gust"][:2] = draws[2:4] * truth[0]["gust_std"]
 
 
 @dataclass(frozen=True)
@@ -233,6 +238,7 @@ def simulate(
             twin._modes,
             twin._sensors[0],
             twin._plan[0],
+            twin._truth[0],
             twin._model,
             twin._plant_model,
             twin._plant[0],

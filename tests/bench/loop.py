@@ -13,7 +13,6 @@ import numpy as np
 
 from tests.bench import stream
 from tests.bench.figure import Figure, figure, interleaved
-from twin import records
 from twin.compiled import jit
 from twin.dynamics import body_acceleration
 from twin.envelope import attainable_sets, wrench_curves
@@ -23,6 +22,7 @@ from twin.model import build_model
 from twin.parameters import Parameters
 from twin.plant import N_STATE, new_work, state_rate
 from twin.simulation import one, parameters_for, simulate
+from twin.truth import TRUTH
 from twin.vehicle import Vehicle, load_vehicle
 
 STEPS, PEER_STEPS, DT = 20_000, 200, 0.01
@@ -73,24 +73,24 @@ def wrench_steps(model, x, tau, dt, count, rate, work):
 
 
 @jit
-def euler_steps(model, plan, x, command, dt, count, rate, gust, healthy, work):
+def euler_steps(model, truth, x, command, dt, count, rate, gust, healthy, work):
     """`count` explicit Euler steps of the plant: vehicle, actuators and their lag, current."""
     time = 0.0
     for _ in range(count):
-        state_rate(model, plan, gust, healthy, time, x, command, rate, work)
+        state_rate(model, truth, gust, healthy, time, x, command, rate, work)
         for i in range(x.shape[0]):
             x[i] += dt * rate[i]
         time += dt
 
 
 def _our_steps(name: str) -> Callable[[], None]:
-    model, plan, command = build_model(load_vehicle(name)), one(records.PLAN), np.zeros(8)
+    model, truth, command = build_model(load_vehicle(name)), one(TRUTH), np.zeros(8)
     command[:] = 0.3 * model["command_max"]
     rate, work, x = np.zeros(N_STATE), new_work(), np.zeros(N_STATE)
 
     def work_() -> None:
         x[:] = 0.0
-        euler_steps(model, plan[0], x, command, DT, STEPS, rate, np.zeros(3), np.ones(8), work)
+        euler_steps(model, truth[0], x, command, DT, STEPS, rate, np.zeros(3), np.ones(8), work)
         assert np.isfinite(x).all()
 
     return work_

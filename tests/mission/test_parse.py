@@ -31,6 +31,16 @@ def test_the_observation_point_lies_before_the_target(good: str, ts100: Vehicle)
     assert (round(n, 12), round(e, 12), d) == (22.0, -1.5, 2.5)
 
 
+def test_the_true_target_lies_off_the_planned_one(good: str, ts100: Vehicle) -> None:
+    """Plan and observation point keep the planned place; only the simulator uses the offset."""
+    assert parse_mission(good, vehicle=ts100).target.true_position_ned_m == (22.0, 0.0, 2.5)
+    text = good.replace("standoff_m: 1.5", "standoff_m: 1.5, true_offset_ned_m: [1, -2, 0.5]")
+    target = parse_mission(text, vehicle=ts100).target
+    assert target.position_ned_m == (22.0, 0.0, 2.5)
+    assert target.true_position_ned_m == (23.0, -2.0, 3.0)
+    assert target.observation_point_ned_m[2] == 2.5
+
+
 def test_everything_optional_can_be_given(good: str, ts100: Vehicle) -> None:
     """Environment, sensors, faults, parameters and end are read, in flow and in block style."""
     actuator = ts100.actuators[4].name

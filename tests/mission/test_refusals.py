@@ -50,6 +50,11 @@ def test_a_fault_names_its_place_field_value_and_rule(good: str, ts100: Vehicle)
         (("version: 1", "version: 1\nfaults: 3"), "faults", "must be a list"),
         (("version: 1", "version: 1\nend: 3"), "end", "must hold named fields"),
         (
+            ("standoff_m: 1.5", "standoff_m: 1.5, true_offset_ned_m: [0, 0, -3]"),
+            "target.true_offset_ned_m",
+            "must keep the target under water (depth -0.5 m)",
+        ),
+        (
             ("version: 1", "version: 1\nend: {hover_hold_s: 90}"),
             "end.hover_hold_s",
             "shorter than duration_s",

@@ -46,6 +46,8 @@ def test_shipped_missions_satisfy_the_schema(path: Path) -> None:
         ("version: 1", "version: 1\nparameters: {allocation: {solver: magic}}"),
         ("version: 1", "version: 1\nparameters: {hover: {kp: [1]}}"),
         (", standoff_m: 1.5", ""),
+        ("standoff_m: 1.5", "standoff_m: 1.5, true_offset_ned_m: [1, 2]"),
+        ("standoff_m: 1.5", "standoff_m: 1.5, true_offset_ned_m: [0, 0, 200]"),
         ("0.7", "[0.7]"),
     ],
 )

@@ -58,6 +58,8 @@ def test_every_field_is_in_the_units_of_the_contract(vehicle: Vehicle, parameter
     assert target.bearing_deg == pytest.approx(math.degrees(row["target_measured"][1]))
     assert target.heading_deg == pytest.approx(math.degrees(row["target"][3]))
     assert truth.actuator_wrench.z_n == row["tau"][2]
+    assert truth.target_position_ned_m.y == row["target_true"][1]
+    assert target.position_ned_m.y == row["target"][1]
     assert list(truth.effectiveness) == row["effectiveness"][: len(vehicle.actuators)].tolist()
     assert told["tlm/allocation"].solve_time_us == pytest.approx(row["solve_time"] * 1e6)
     per_si = {"deg": 180.0 / math.pi, "rpm": 60.0}

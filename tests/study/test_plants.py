@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from twin.model import build_model
-from twin.settings import plan_of
 from twin.simulation import Twin
 from twin.study.plants import DISTRIBUTION, NOMINAL, draw
 from twin.study.scenarios import SCENARIOS, mission_of
+from twin.truth import TOLD, TOLD_OF_FAULTS, truth_of
 from twin.vehicle import load_vehicle
 
 
@@ -28,14 +28,15 @@ def test_draws_fill_the_stated_ranges() -> None:
 def test_nominal_plant_changes_nothing() -> None:
     """Protects: the tables are flown on the vehicle file's own numbers."""
     vehicle = load_vehicle("ts100")
-    model, plan = build_model(vehicle), plan_of(mission_of(SCENARIOS["S5"]), vehicle)
-    before = model.tobytes(), plan.tobytes()
-    NOMINAL(model, plan[0])
-    assert (model.tobytes(), plan.tobytes()) == before
+    model, truth = build_model(vehicle), truth_of(mission_of(SCENARIOS["S5"]), vehicle)
+    before = model.tobytes(), truth.tobytes()
+    NOMINAL(model, truth[0])
+    assert (model.tobytes(), truth.tobytes()) == before
 
 
 def test_autopilot_keeps_the_nominal_model() -> None:
-    """Protects: a drawn plant changes the truth only; the allocator's map stays nominal."""
+    """Protects: a drawn plant changes the truth only; the allocator's map stays nominal. Of the truth the
+    plan is told the start and the fault (known in S6 as in the paper), as drawn."""
     vehicle = load_vehicle("ts100")
     twin = Twin(vehicle)
     plant = draw(5)
@@ -44,6 +45,9 @@ def test_autopilot_keeps_the_nominal_model() -> None:
     for name in ("time_constant", "buoyancy", "r_b", "D_quadratic"):
         assert np.array_equal(twin._model[name], nominal[name]), name
         assert not np.array_equal(twin._plant_model[name], nominal[name]), name
-    assert twin._plan[0]["fault_effectiveness"][0] == plant.fault_effectiveness
+    assert twin._truth[0]["fault_effectiveness"][0] == plant.fault_effectiveness
+    assert twin._truth[0]["fault_time"][0] == plant.fault_time
+    for name in (*TOLD, *TOLD_OF_FAULTS):
+        assert np.array_equal(twin._plan[0][name], twin._truth[0][name]), name
     twin.start(mission_of(SCENARIOS["S5"]), 1)
     assert twin._plant_model["buoyancy"] == pytest.approx(float(nominal["buoyancy"]))

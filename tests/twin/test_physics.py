@@ -12,6 +12,7 @@ from twin.dynamics import coriolis_force, damping_force, restoring_force
 from twin.environment import water_velocity
 from twin.frames import body_to_ned, euler_rates, ned_to_body
 from twin.plant import new_work, observe_plant, state_rate, step_plant
+from twin.truth import TRUTH
 
 angle = st.floats(-3.1, 3.1)
 pitch = st.floats(-1.4, 1.4)
@@ -108,11 +109,11 @@ def energy(model, plant):
 @given(vector6.map(lambda v: v * np.array([1, 0.5, 0.5, 0.3, 0.3, 0.3])))
 def test_energy_never_grows_unforced(model, nu):
     """Protects: with propellers stopped and fins amidships the whole plant is passive."""
-    plan, plant, work = np.zeros(1, records.PLAN), free_plant(nu), new_work()
+    truth, plant, work = np.zeros(1, TRUTH), free_plant(nu), new_work()
     noise, command = np.zeros(records.N_NOISE), np.zeros(records.MAX_ACTUATORS)
     before = energy(model, plant)
     for _ in range(100):
-        step_plant(model, plan[0], plant[0], command, 0.02, 1, noise, work)
+        step_plant(model, truth[0], plant[0], command, 0.02, 1, noise, work)
         after = energy(model, plant)
         assert after <= before + 1e-7 * (1 + abs(before))
         before = after
@@ -123,23 +124,23 @@ def test_energy_is_conserved_without_damping_or_fins(model):
     ideal = model.copy()
     for name in ("D_linear", "D_quadratic", "D_lift", "fin_area", "T_nv", "Q_nv"):
         ideal[name] = 0.0
-    plan, plant, work = np.zeros(1, records.PLAN), free_plant([0.6, 0.2, -0.1, 0.2, 0.15, -0.1]), new_work()
+    truth, plant, work = np.zeros(1, TRUTH), free_plant([0.6, 0.2, -0.1, 0.2, 0.15, -0.1]), new_work()
     noise, command = np.zeros(records.N_NOISE), np.zeros(records.MAX_ACTUATORS)
     start = energy(ideal, plant)
     for _ in range(1000):
-        step_plant(ideal, plan[0], plant[0], command, 0.02, 2, noise, work)
+        step_plant(ideal, truth[0], plant[0], command, 0.02, 2, noise, work)
     assert energy(ideal, plant) == pytest.approx(start, rel=1e-7)
 
 
 def test_integrator_is_of_fourth_order(model):
     """Protects: halving the step cuts the error of a smooth manoeuvre about sixteen times."""
-    plan, work, noise = np.zeros(1, records.PLAN), new_work(), np.zeros(records.N_NOISE)
+    truth, work, noise = np.zeros(1, TRUTH), new_work(), np.zeros(records.N_NOISE)
 
     def end(substeps):
         plant = free_plant([0.5, 0.02, 0.01, 0.05, 0.02, -0.03])
         command = np.zeros(records.MAX_ACTUATORS)
         for _ in range(10):
-            step_plant(model, plan[0], plant[0], command, 0.4, substeps, noise, work)
+            step_plant(model, truth[0], plant[0], command, 0.4, substeps, noise, work)
         return np.concatenate([plant[0]["eta"], plant[0]["nu"]])
 
     exact = end(64)
@@ -150,11 +151,11 @@ def test_integrator_is_of_fourth_order(model):
 
 def test_a_steady_current_carries_the_vehicle_along(model):
     """Protects: only velocity through water makes hydrodynamic force: drifting with the water is free."""
-    plan, plant, work = np.zeros(1, records.PLAN), free_plant([0.3, -0.2, 0, 0, 0, 0]), new_work()
-    plan[0]["current"] = [0.3, -0.2, 0.0]
+    truth, plant, work = np.zeros(1, TRUTH), free_plant([0.3, -0.2, 0, 0, 0, 0]), new_work()
+    truth[0]["current"] = [0.3, -0.2, 0.0]
     noise, command = np.zeros(records.N_NOISE), np.zeros(records.MAX_ACTUATORS)
     for _ in range(200):
-        step_plant(model, plan[0], plant[0], command, 0.05, 2, noise, work)
+        step_plant(model, truth[0], plant[0], command, 0.05, 2, noise, work)
     np.testing.assert_allclose(plant[0]["nu"], [0.3, -0.2, 0, 0, 0, 0], atol=1e-9)
     np.testing.assert_allclose(plant[0]["eta"][:2], [3.0, -2.0], atol=1e-8)
 
@@ -164,17 +165,17 @@ def test_waves_carry_a_vehicle_as_heavy_as_its_water_along(model):
     way, a neutrally buoyant vehicle gets the water's own acceleration."""
     afloat = model.copy()
     afloat["buoyancy"], afloat["r_b"] = afloat["weight"], afloat["r_g"]
-    plan, plant = np.zeros(1, records.PLAN), free_plant(np.zeros(6))
-    plan[0]["wave_height"], plan[0]["wave_period"], plan[0]["wave_direction"] = 0.4, 5.0, 0.7
+    truth, plant = np.zeros(1, TRUTH), free_plant(np.zeros(6))
+    truth[0]["wave_height"], truth[0]["wave_period"], truth[0]["wave_direction"] = 0.4, 5.0, 0.7
     velocity, acceleration, rate = np.zeros(3), np.zeros(3), np.zeros(20)
     command, work = np.zeros(records.MAX_ACTUATORS), np.zeros(48)
     x = np.zeros(20)
     x[:6] = [1.0, 2.0, 1.5, 0.0, 0.0, 0.9]
     for time in np.linspace(0.0, 5.0, 7):
-        water_velocity(plan[0], plant[0]["gust"], time, x[:6], velocity, acceleration)
+        water_velocity(truth[0], plant[0]["gust"], time, x[:6], velocity, acceleration)
         ned_to_body(0.0, 0.0, 0.9, velocity, x[6:9])
         healthy = plant[0]["effectiveness"]
-        state_rate(afloat, plan[0], plant[0]["gust"], healthy, time, x, command, rate, work)
+        state_rate(afloat, truth[0], plant[0]["gust"], healthy, time, x, command, rate, work)
         expected = np.zeros(3)
         ned_to_body(0.0, 0.0, 0.9, acceleration, expected)
         np.testing.assert_allclose(rate[6:12], [*expected, 0, 0, 0], atol=1e-9)
@@ -186,14 +187,14 @@ def test_turning_circles_to_port_and_starboard_mirror_each_other(model):
     even["Q_nn"] = even["Q_nv"] = 0.0
     ends = []
     for side in (1.0, -1.0):
-        plan, plant, work = np.zeros(1, records.PLAN), free_plant([0.6, 0, 0, 0, 0, 0]), new_work()
+        truth, plant, work = np.zeros(1, TRUTH), free_plant([0.6, 0, 0, 0, 0, 0]), new_work()
         noise, command = np.zeros(records.N_NOISE), np.zeros(records.MAX_ACTUATORS)
         jacobian = yaw_column(even)
         for i in range(4):
             command[i] = side * 0.15 * np.sign(jacobian[i])
         command[4] = 3.0
         for _ in range(400):
-            step_plant(even, plan[0], plant[0], command, 0.05, 2, noise, work)
+            step_plant(even, truth[0], plant[0], command, 0.05, 2, noise, work)
         ends.append(plant[0]["eta"].copy())
     starboard, port = ends
     assert abs(starboard[5]) > 0.2
@@ -227,14 +228,14 @@ def test_forward_speed_settles_where_thrust_meets_drag(model):
     expected = brentq(surplus, 0.05, 3.0)
     calm = model.copy()
     calm["Q_nn"] = calm["Q_nv"] = 0.0  # no heel, so that the balance is in surge alone
-    plan, plant, work, noise = (
-        np.zeros(1, records.PLAN),
+    truth, plant, work, noise = (
+        np.zeros(1, TRUTH),
         free_plant(np.zeros(6)),
         new_work(),
         np.zeros(records.N_NOISE),
     )
     for _ in range(4000):
-        step_plant(calm, plan[0], plant[0], u, 0.05, 2, noise, work)
+        step_plant(calm, truth[0], plant[0], u, 0.05, 2, noise, work)
     assert plant[0]["nu"][0] == pytest.approx(expected, rel=1e-6)
 
 
@@ -261,9 +262,9 @@ def _flow(model, i, nu):
 
 def test_the_actuator_wrench_seen_by_the_log_is_the_plants(model):
     """Protects: `observe_plant` reports the wrench that moves the vehicle."""
-    plan, plant, work = np.zeros(1, records.PLAN), free_plant([0.4, 0.01, 0, 0, 0, 0]), new_work()
+    truth, plant, work = np.zeros(1, TRUTH), free_plant([0.4, 0.01, 0, 0, 0, 0]), new_work()
     plant[0]["u"][:7] = [0.1, -0.1, 0.05, 0.0, 2.0, 1.0, -1.0]
     expected = np.zeros(6)
     total_wrench(model, plant[0]["u"], plant[0]["effectiveness"], plant[0]["nu"], expected)
-    observe_plant(model, plan[0], plant[0], work)
+    observe_plant(model, truth[0], plant[0], work)
     np.testing.assert_allclose(plant[0]["tau"], expected, atol=1e-12)

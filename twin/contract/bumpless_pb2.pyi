@@ -467,7 +467,7 @@ class Event(_message.Message):
     def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., severity: _Optional[_Union[Severity, str]] = ..., code: _Optional[str] = ..., text: _Optional[str] = ..., details: _Optional[_Mapping[str, str]] = ...) -> None: ...
 
 class TruthState(_message.Message):
-    __slots__ = ("stamp", "position_ned_m", "attitude", "velocity_body_mps", "angular_rate_body_degps", "actuator_wrench", "current_ned_mps", "effectiveness")
+    __slots__ = ("stamp", "position_ned_m", "attitude", "velocity_body_mps", "angular_rate_body_degps", "actuator_wrench", "current_ned_mps", "effectiveness", "target_position_ned_m")
     STAMP_FIELD_NUMBER: _ClassVar[int]
     POSITION_NED_M_FIELD_NUMBER: _ClassVar[int]
     ATTITUDE_FIELD_NUMBER: _ClassVar[int]
@@ -476,6 +476,7 @@ class TruthState(_message.Message):
     ACTUATOR_WRENCH_FIELD_NUMBER: _ClassVar[int]
     CURRENT_NED_MPS_FIELD_NUMBER: _ClassVar[int]
     EFFECTIVENESS_FIELD_NUMBER: _ClassVar[int]
+    TARGET_POSITION_NED_M_FIELD_NUMBER: _ClassVar[int]
     stamp: Stamp
     position_ned_m: Vector3
     attitude: Attitude
@@ -484,7 +485,8 @@ class TruthState(_message.Message):
     actuator_wrench: Wrench
     current_ned_mps: Vector3
     effectiveness: _containers.RepeatedScalarFieldContainer[float]
-    def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., position_ned_m: _Optional[_Union[Vector3, _Mapping]] = ..., attitude: _Optional[_Union[Attitude, _Mapping]] = ..., velocity_body_mps: _Optional[_Union[Vector3, _Mapping]] = ..., angular_rate_body_degps: _Optional[_Union[Vector3, _Mapping]] = ..., actuator_wrench: _Optional[_Union[Wrench, _Mapping]] = ..., current_ned_mps: _Optional[_Union[Vector3, _Mapping]] = ..., effectiveness: _Optional[_Iterable[float]] = ...) -> None: ...
+    target_position_ned_m: Vector3
+    def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., position_ned_m: _Optional[_Union[Vector3, _Mapping]] = ..., attitude: _Optional[_Union[Attitude, _Mapping]] = ..., velocity_body_mps: _Optional[_Union[Vector3, _Mapping]] = ..., angular_rate_body_degps: _Optional[_Union[Vector3, _Mapping]] = ..., actuator_wrench: _Optional[_Union[Wrench, _Mapping]] = ..., current_ned_mps: _Optional[_Union[Vector3, _Mapping]] = ..., effectiveness: _Optional[_Iterable[float]] = ..., target_position_ned_m: _Optional[_Union[Vector3, _Mapping]] = ...) -> None: ...
 
 class StartMission(_message.Message):
     __slots__ = ("file_name", "mission_yaml", "seed", "operator")

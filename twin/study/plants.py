@@ -1,10 +1,10 @@
 """The plants on which a claim must hold: a stated distribution, drawn by number.
 
 `DISTRIBUTION` is the statement; `draw(i)` gives plant i, always the same. A `Plant` changes the true
-vehicle and its sea, never what the autopilot believes: it flies every plant with one set of parameters
-and one nominal model. Source of the ranges: issue "True", "Not at one lucky point"; the ends of trim,
-buoyancy, lag and fault are ours. `thrust` and `fin_lift`, which the allocator would have to know, are
-fields of a Plant but not drawn.
+vehicle and its sea; the autopilot flies every plant with one set of parameters and one nominal model, and
+is told no more than where it starts and, in S6, the fault. Source of the ranges: issue "True", "Not at
+one lucky point"; the ends of trim, buoyancy, lag and fault are ours. `thrust` and `fin_lift`, which the
+allocator would have to know, are fields of a Plant but not drawn.
 """
 
 from dataclasses import asdict, dataclass
@@ -66,17 +66,17 @@ class Plant:
     thrust: float = 1.0
     fin_lift: float = 1.0
 
-    def __call__(self, model: Any, plan: Any) -> None:
-        """Change the records of the true plant and its plan in place."""
-        c, s = np.cos(plan["target"][3]), np.sin(plan["target"][3])
+    def __call__(self, model: Any, truth: Any) -> None:
+        """Change the records of the true plant and of the flight's truth in place."""
+        c, s = np.cos(truth["target"][3]), np.sin(truth["target"][3])
         along, across = self.current_along, self.current_across
-        plan["current"][:2] += [along * c - across * s, along * s + across * c]
-        self._start_in_trim(plan)
-        plan["noise_scale"] *= self.noise
-        if plan["n_faults"] > 0 and self.fault_time is not None:
-            plan["fault_time"][0] = self.fault_time
-        if plan["n_faults"] > 0 and self.fault_effectiveness is not None:
-            plan["fault_effectiveness"][0] = self.fault_effectiveness
+        truth["current"][:2] += [along * c - across * s, along * s + across * c]
+        self._start_in_trim(truth)
+        truth["noise_scale"] *= self.noise
+        if truth["n_faults"] > 0 and self.fault_time is not None:
+            truth["fault_time"][0] = self.fault_time
+        if truth["n_faults"] > 0 and self.fault_effectiveness is not None:
+            truth["fault_effectiveness"][0] = self.fault_effectiveness
         model["r_b"][0] += self.trim_x
         model["r_b"][1] += self.trim_y
         model["buoyancy"] += self.net_buoyancy
@@ -90,9 +90,10 @@ class Plant:
             model[name] *= self.thrust
         model["C_La"][fin] *= self.fin_lift
 
-    def _start_in_trim(self, plan: Any) -> None:
-        """Start along the first leg: at its speed through water, the bow already turned into the current."""
-        plan["start"][5] -= np.arcsin(np.clip(self.current_across / plan["speed"][0], -0.5, 0.5))
+    def _start_in_trim(self, truth: Any) -> None:
+        """Start along the first leg, the bow already turned into the current that crosses it."""
+        if truth["start_speed"] > 0.0:
+            truth["start"][5] -= np.arcsin(np.clip(self.current_across / truth["start_speed"], -0.5, 0.5))
 
     def as_dict(self) -> dict[str, float | None]:
         """For JSON."""

@@ -201,4 +201,5 @@ def _truth(r: _Row, stamp: pb.Stamp, n_u: int) -> pb.TruthState:
     _vector(out.angular_rate_body_degps, nu[3:], _DEG)
     _wrench(out.actuator_wrench, r.all("tau"))
     _vector(out.current_ned_mps, r.all("current"))
+    _vector(out.target_position_ned_m, r.all("target_true"))
     return out

@@ -13,6 +13,7 @@ from twin.model import build_model
 from twin.plant import new_work, step_plant
 from twin.report.content import Figure, Grid, Panel, Part, Series
 from twin.report.parts import Progress
+from twin.truth import TRUTH
 from twin.vehicle import load_vehicle, vehicle_names
 
 Array = NDArray[np.float64]
@@ -24,11 +25,11 @@ def fly(
     model: np.record, nu: Array, command: Array, seconds: float, dt: float, substeps: int = 1
 ) -> np.ndarray:
     """PLANT record after `seconds` from velocity nu (6,) at 20 m depth, commands held, no current."""
-    plan, plant, work = np.zeros(1, records.PLAN), np.zeros(1, records.PLANT), new_work()
+    truth, plant, work = np.zeros(1, TRUTH), np.zeros(1, records.PLANT), new_work()
     plant[0]["nu"], plant[0]["effectiveness"] = nu, 1.0
     plant[0]["eta"][2] = 20.0
     for _ in range(round(seconds / dt)):
-        step_plant(model, plan[0], plant[0], command, dt, substeps, _QUIET, work)
+        step_plant(model, truth[0], plant[0], command, dt, substeps, _QUIET, work)
     return plant[0]
 
 
@@ -95,7 +96,7 @@ def decay_balance(model: np.record) -> float:
     """Free decay: energy lost against the work of damping integrated along the way, relative."""
     freely = model.copy()
     freely["fin_area"] = freely["T_nv"] = freely["Q_nv"] = 0.0
-    plan, plant, work = np.zeros(1, records.PLAN), np.zeros(1, records.PLANT), new_work()
+    truth, plant, work = np.zeros(1, TRUTH), np.zeros(1, records.PLANT), new_work()
     plant[0]["nu"], plant[0]["effectiveness"] = [0.8, 0.1, 0.1, 0.1, 0.1, 0.1], 1.0
     begin, dt, powers = energy(freely, plant[0]), 0.002, []
     for k in range(4001):
@@ -103,7 +104,7 @@ def decay_balance(model: np.record) -> float:
         damping_force(freely, plant[0]["nu"], drag)
         powers.append(float(drag @ plant[0]["nu"]))
         if k < 4000:
-            step_plant(freely, plan[0], plant[0], np.zeros(8), dt, 1, _QUIET, work)
+            step_plant(freely, truth[0], plant[0], np.zeros(8), dt, 1, _QUIET, work)
     done = float(np.trapezoid(powers, dx=dt))
     return abs((energy(freely, plant[0]) - begin) / done - 1.0)
 
