@@ -44,11 +44,11 @@ def reset_autopilot(modes, plan, model, a):
     a.increment_share = a.increment_share_minus = a.step_share = modes[0].increment_share
     a.increment_price = a.fault_share = 0.0
     a.cycle = a.fixes = a.leg = a.mode = a.previous_mode = 0
-    a.history = a.hold_left = a.detected = a.holding = a.saturated = 0
+    a.history = a.hold_left = a.detected = a.holding = a.saturated = a.hover_cycles = 0
     a.switch_cycle = a.ramp_cycle = _LONG_AGO
     a.ramp_length = 0.0
     a.kappa = 1.0
-    a.b = a.alpha = a.hover_time = a.time = 0.0
+    a.b = a.alpha = a.time = 0.0
     a.reference[2] = plan.start[2]
     a.reference[5] = plan.start[5]
     a.reference[0] = plan.start_speed
@@ -115,7 +115,6 @@ def change_mode(a, mode):
     """Enter `mode` in this cycle."""
     a.previous_mode, a.mode = a.mode, mode
     a.switch_cycle = a.cycle
-    a.hover_time = 0.0
 
 
 @jit
@@ -151,8 +150,8 @@ def autopilot_step(handle, settings, modes, sensors, plan, model, m, a, w, chang
     believe_faults(settings, plan, a)
     soften(settings, a)
     allocate(handle, settings, model, a, w)
-    if a.mode == HOVER and a.holding == 0 and a.range <= settings.d_rh_u:
-        a.hover_time += settings.dt
+    in_place = a.mode == HOVER and a.holding == 0 and a.range <= settings.d_rh_u
+    a.hover_cycles = a.hover_cycles + 1 if in_place else 0
     a.cycle += 1
     a.time += settings.dt
 

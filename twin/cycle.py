@@ -97,9 +97,9 @@ def closed_loop(
     write_row(settings, plan, truth, model, plant, m, a, phase, row, work)
     step_plant(plant_model, truth, plant, a.u, settings.dt, SUBSTEPS, noise, work)
     if phase == RUNNING:
-        if plan.hover_hold > 0.0 and a.hover_time >= plan.hover_hold:
+        if plan.hold_cycles > 0 and a.hover_cycles >= plan.hold_cycles:
             return COMPLETED
-        if a.time >= plan.duration:
+        if a.cycle >= plan.cycles:
             return COMPLETED
     return phase
 

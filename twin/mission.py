@@ -167,7 +167,9 @@ class End:
 
     hover_hold_s: Annotated[
         float | None,
-        Number("Complete after this long in hover without a break; never if left out", 0.1, 1e5, "s"),
+        Number(
+            "Complete after so long in hover within range_rh_upper_m on end; never if left out", 0.1, 1e5, "s"
+        ),
     ] = None
 
 

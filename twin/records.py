@@ -156,8 +156,8 @@ PLAN = np.dtype(  # all that an autopilot knows of a mission; what is true besid
         ("standoff", f8),  # m before the marker
         ("start", f8, 6),  # eta
         ("start_speed", f8),  # surge through water, m/s
-        ("duration", f8),  # s
-        ("hover_hold", f8),  # s in H within d_RH^U after which the mission is complete; 0: never
+        ("cycles", i8),  # longest duration
+        ("hold_cycles", i8),  # in a row in H within d_RH^U that complete the mission; 0: never
         # faults it is told of; only a fault-tolerant allocator looks
         ("n_faults", i8),
         ("fault_actuator", i8, MAX_FAULTS),
@@ -246,7 +246,7 @@ AUTOPILOT = np.dtype(
         ("hold_left", i8),
         ("detected", i8),
         ("range", f8),
-        ("hover_time", f8),  # s in H and in range
+        ("hover_cycles", i8),  # in a row in H and in range
         ("holding", i8),  # 1 while paused: hold `hold_point`
         ("hold_point", f8, 4),  # NED and heading
         # guidance

@@ -69,8 +69,11 @@ def mode_controls(parameters: Parameters) -> np.ndarray:
     return out
 
 
-def plan_of(mission: Mission) -> np.ndarray:
-    """PLAN record of a mission, shape (1,), but for what `twin.truth.tell` adds: the start and the faults."""
+def plan_of(mission: Mission, period_s: float) -> np.ndarray:
+    """PLAN record of a mission, shape (1,), but for what `twin.truth.tell` adds: the start and the faults.
+
+    Durations become counts of control periods: sums of period_s miss them by rounding.
+    """
     out = np.zeros(1, records.PLAN)
     p = out[0]
     path = mission.path_ned_m
@@ -79,8 +82,9 @@ def plan_of(mission: Mission) -> np.ndarray:
     p["speed"][: len(mission.legs)] = [leg.speed_mps for leg in mission.legs]
     p["target"] = [*mission.target.position_ned_m, radians(mission.target.heading_deg)]
     p["standoff"] = mission.target.standoff_m
-    p["duration"] = mission.duration_s
-    p["hover_hold"] = mission.end.hover_hold_s or 0.0
+    p["cycles"] = round(mission.duration_s / period_s)
+    hold_s = mission.end.hover_hold_s
+    p["hold_cycles"] = 0 if hold_s is None else max(1, round(hold_s / period_s))
     return out
 
 

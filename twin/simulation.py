@@ -57,7 +57,7 @@ class Twin:
         self._row, self._last = one(records.LOG), one(records.LOG)
         self._work = new_work()
         self._change = 0
-        self._paused_at_s = 0.0
+        self._paused_at = 0  # cycle
         self._rng = np.random.Generator(np.random.PCG64(0))
         self._noise = np.zeros(records.N_NOISE)
         self._adopt(parameters or default_parameters(vehicle))
@@ -88,7 +88,7 @@ class Twin:
         """
         self._adopt(parameters or parameters_for(self.vehicle, mission))
         self.mission, self.seed = mission, mission.seed if seed is None else seed
-        self._plan[:] = plan_of(mission)
+        self._plan[:] = plan_of(mission, self.period_s)
         self._truth[:] = truth_of(mission, self.vehicle)
         self._sensors[:] = sensors_of(self.vehicle, mission)
         self._plant_model = self._model.copy()
@@ -115,7 +115,7 @@ class Twin:
             psi,
         ]
         a["holding"], self._change, self.phase = 1, 1, 3
-        self._paused_at_s = float(a["time"])
+        self._paused_at = int(a["cycle"])
         self.events.add("mission_paused", "Mission paused; holding station.", {})
 
     def _stopping_distance(self, surge: float) -> float:
@@ -129,7 +129,7 @@ class Twin:
 
     def resume(self) -> None:
         """Go on with the mission; its longest duration does not count the pause."""
-        self._plan[0]["duration"] += float(self._a[0]["time"]) - self._paused_at_s
+        self._plan[0]["cycles"] += int(self._a[0]["cycle"]) - self._paused_at
         self._a[0]["holding"], self._change, self.phase = 0, 1, 2
         self.events.add("mission_resumed", "Mission resumed.", {})
 
@@ -226,7 +226,7 @@ def simulate(
     parameters = parameters or parameters_for(vehicle, mission)
     twin = Twin(vehicle, parameters)
     twin.start(mission, seed, parameters, alter)
-    total = int(round(mission.duration_s / twin.period_s))
+    total = int(twin._plan[0]["cycles"])
     log = np.zeros(total, records.LOG)
     filled, phase = 0, twin.phase
     while filled < total and phase == RUNNING:

@@ -54,7 +54,8 @@ def test_commands_follow_from_measurements_and_plan_alone(ts100, fault_tolerant)
     parameters = replace(base, allocation=replace(base.allocation, fault_tolerant=fault_tolerant))
     twin, heard, said = flown(mission, ts100, parameters)
 
-    settings, modes, plan = one(records.SETTINGS), mode_controls(parameters), plan_of(mission)
+    settings, modes = one(records.SETTINGS), mode_controls(parameters)
+    plan = plan_of(mission, ts100.control_period_s)
     fill_settings(settings, ts100, parameters)
     tell(twin._truth, plan)
     if not fault_tolerant:
