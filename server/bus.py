@@ -40,6 +40,7 @@ def session_config(listen: tuple[str, ...], connect: tuple[str, ...]) -> zenoh.C
         "transport/link/tx/lease": LEASE_MS,
         "transport/link/tx/queue/congestion_control/block/wait_before_close": STALLED_PEER_US,
         "timestamping/enabled": False,
+        "adminspace/enabled": True,  # by it a vehicle's node knows when it is linked with every other
     }.items():
         config.insert_json5(key, json.dumps(value))
     return config

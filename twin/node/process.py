@@ -105,13 +105,15 @@ def _run(options: Options, stop: Stop) -> int:
     if session is None:
         return stop.code
     with session:
-        claim = Claim(session, options.vehicle_id, lambda reason: stop(reason, TAKEN))
+        connects = bool(options.connect)
+        claim = Claim(session, options.vehicle_id, lambda reason: stop(reason, TAKEN), connects)
         try:
             claim.stake()
+            twin = ready_twin(vehicle, options.make_twin, say)
+            claim.confirm()
         except TakenError as error:
             say(str(error))
             return TAKEN
-        twin = ready_twin(vehicle, options.make_twin, say)
         raise_process()
         node = Node(session, options.vehicle_id, vehicle, twin, stop, options.realtime)
         fault = None if stop.event.is_set() else node.run(claim, first, say)

@@ -47,6 +47,7 @@ def session_config(
         "transport/link/tx/lease": LEASE_MS,
         "transport/link/tx/queue/congestion_control/block/wait_before_close": STALLED_PEER_US,
         "timestamping/enabled": True,  # the cache of events sorts by it
+        "adminspace/enabled": True,  # read only; says whom it is linked with: see `links`
     }.items():
         config.insert_json5(key, json.dumps(value))
     return config

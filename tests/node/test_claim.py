@@ -1,0 +1,80 @@
+"""A claim is decided before its vehicle speaks, however late the links to others come up."""
+
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+import pytest
+import zenoh
+
+from tests.node.gate import Gate, gate
+from tests.node.listening import PATIENCE_S, free_port
+from twin.node import links
+from twin.node.claim import Claim, TakenError
+from twin.node.session import session_config
+
+
+@contextmanager
+def apart() -> Iterator[tuple[zenoh.Session, zenoh.Session, Gate]]:
+    """Two nodes' sessions on one bus that reach each other only when the gate opens."""
+    hub, port = f"tcp/127.0.0.1:{free_port()}", free_port()
+    with gate(port) as door, zenoh.open(session_config([], [hub], "peer")):
+        config = session_config([hub, f"tcp/127.0.0.1:{door.port}"], [], "peer")
+        config.insert_json5("scouting/gossip/enabled", "false")  # no other way to the first than the gate
+        with zenoh.open(session_config([hub], [f"tcp/127.0.0.1:{port}"], "peer")) as first:
+            with zenoh.open(config) as second:
+                yield first, second, door
+
+
+def _never(reason: str) -> None:
+    raise AssertionError(f"gave way: {reason}")
+
+
+def test_a_stake_waits_for_the_link_to_a_vehicle_that_others_hear() -> None:
+    """Protects: a node whose link to the live vehicle comes last took the id for free, and spoke."""
+    with apart() as (first, second, door):
+        live = Claim(first, "ts100", _never)
+        live.stake()
+        live.declare_alive()
+        found: list[str] = []
+
+        def stake() -> None:
+            try:
+                Claim(second, "ts100", _never, connects=True).stake()
+            except TakenError as error:
+                found.append(str(error))
+
+        staking = threading.Thread(target=stake)
+        staking.start()
+        door.open()
+        staking.join(PATIENCE_S)
+        assert found == ["ts100 is already alive on this bus; not starting a second one"]
+
+
+def test_a_link_that_comes_during_the_preparation_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Protects: an id that was free when staked is looked at again before the vehicle speaks."""
+    with apart() as (first, second, door):
+        live = Claim(first, "ts100", _never)
+        live.stake()
+        live.declare_alive()
+        told: list[str] = []
+        late = Claim(second, "ts100", told.append, connects=True)
+        monkeypatch.setattr(links, "PATIENCE_S", 0.0)
+        late.stake()
+        monkeypatch.undo()
+        door.open()
+        with pytest.raises(TakenError, match="already alive"):
+            late.confirm()
+
+
+def test_of_two_claims_the_younger_is_not_confirmed() -> None:
+    """Protects: of two that start at once the younger is told so before it speaks, not a moment after."""
+    with apart() as (first, second, door):
+        told: list[str] = []
+        older, younger = Claim(first, "ts100", _never), Claim(second, "ts100", told.append)
+        door.open()
+        older.stake()
+        younger.stake()
+        older.confirm()
+        with pytest.raises(TakenError, match="giving way"):
+            younger.confirm()
