@@ -11,6 +11,7 @@ _STATUS = {
     4: "the QP solver failed; built-in active set used",
     5: "demand refused",
 }
+QUIET_S = 5.0  # mission time; an allocator on the edge flips its status many times a second
 
 
 @dataclass(frozen=True)
@@ -29,12 +30,36 @@ class EventWriter:
 
     def __init__(self) -> None:
         self._events: list[TwinEvent] = []
+        self._told: dict[int, tuple[float, int]] = {}  # allocator status -> told at mission time, more since
 
     def add(
         self, code: str, text: str, details: dict[str, str], severity: int = INFO, time_s: float = 0.0
     ) -> None:
         """Append one event."""
+        if code == "mission_started":
+            self._told.clear()
         self._events.append(TwinEvent(severity, code, text, details, time_s))
+
+    def allocator(self, status: int, time_s: float) -> None:
+        """The solver came to `status`: told the first time, then with a count once QUIET_S have passed."""
+        told_s, more = self._told.get(status, (-np.inf, 0))
+        if time_s < told_s + QUIET_S:
+            self._told[status] = told_s, more + 1
+            return
+        self._told[status] = time_s, 0
+        self._add_allocator(status, more + 1, told_s, time_s)
+
+    def settle(self, time_s: float) -> None:
+        """Tell what has been counted and not told."""
+        for status, (told_s, more) in self._told.items():
+            if more:
+                self._told[status] = time_s, 0
+                self._add_allocator(status, more, told_s, time_s)
+
+    def _add_allocator(self, status: int, count: int, since_s: float, time_s: float) -> None:
+        often = "" if count == 1 else f", {count} times in {time_s - since_s:.1f} s"
+        details = {"status": _STATUS[status], "count": str(count)}
+        self.add("allocator", f"Allocator: {_STATUS[status]}{often}.", details, WARNING, time_s)
 
     def drain(self) -> list[TwinEvent]:
         """All events since the last call, oldest first."""
@@ -60,6 +85,7 @@ def switch_reason(before: int, after: int, row: np.ndarray, s: np.ndarray) -> tu
 def completed_event(out: EventWriter, row: np.ndarray) -> None:
     """Add that the mission was completed with this LOG row."""
     time_s = float(row["time"])
+    out.settle(time_s)
     out.add("mission_completed", f"Mission completed after {time_s:.1f} s.", {}, time_s=time_s)
 
 
@@ -102,7 +128,7 @@ def row_events(out: EventWriter, last: np.ndarray, row: np.ndarray, settings: np
     if row["leg"] != last["leg"]:
         _leg_events(out, int(last["leg"]), int(row["leg"]), int(row["leg_count"]), time_s)
     if row["status"] != last["status"] and int(row["status"]) in _STATUS:
-        out.add("allocator", f"Allocator: {_STATUS[int(row['status'])]}.", {}, WARNING, time_s)
+        out.allocator(int(row["status"]), time_s)
 
 
 def _leg_events(out: EventWriter, before: int, after: int, count: int, time_s: float) -> None:
