@@ -24,8 +24,9 @@ def run(settings: Settings) -> int:
 
     _set_up_logging()
     # A terminal that is closed and a service manager end the server as Ctrl-C does.
-    for number in (signal.SIGTERM, signal.SIGHUP):
-        signal.signal(number, signal.default_int_handler)
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    # uvicorn takes SIGTERM over while it serves, but no SIGHUP; an exception in its tasks can be lost.
+    signal.signal(signal.SIGHUP, lambda number, frame: signal.raise_signal(signal.SIGTERM))
     try:
         listener = _listen(settings.host, settings.port)
     except OSError as error:
