@@ -12,7 +12,7 @@ from twin.compiled import inline, jit
 from twin.frames import wrap
 from twin.records import FIN
 
-_STALL_WIDTH = 0.12  # rad over which attached flow gives way to a flat plate's
+STALL_WIDTH = 0.12  # rad over which attached flow gives way to a flat plate's
 
 
 @inline
@@ -48,9 +48,9 @@ def fin_coefficients(model, i, alpha):
     if excess > 0.0:
         plate_l, plate_dl = sin(2.0 * a), 2.0 * cos(2.0 * a)
         plate_d, plate_dd = model.C_D0[i] + 2.0 * sin(a) ** 2, 2.0 * sin(2.0 * a)
-        t = min(1.0, excess / _STALL_WIDTH)
+        t = min(1.0, excess / STALL_WIDTH)
         s = t * t * (3.0 - 2.0 * t)
-        ds = 6.0 * t * (1.0 - t) / _STALL_WIDTH * (1.0 if a > 0.0 else -1.0)
+        ds = 6.0 * t * (1.0 - t) / STALL_WIDTH * (1.0 if a > 0.0 else -1.0)
         d_l = (1.0 - s) * d_l + s * plate_dl + ds * (plate_l - c_l)
         d_d = (1.0 - s) * d_d + s * plate_dd + ds * (plate_d - c_d)
         c_l = (1.0 - s) * c_l + s * plate_l

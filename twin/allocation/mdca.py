@@ -1,14 +1,16 @@
-"""MD-CA: one constrained Gauss-Newton SQP for all modes.
+"""MD-CA: one constrained SQP for all modes.
 
 u* = argmin ||tau_d - G_m(u)||_Q^2 + lambda ||u||_R^2 over the cycle's bounds, eq. (47)-(52) of
 Gao et al. 2026, in the decision variables of `wrench_map`. Each step solves a box QP; a step is
 accepted only if the true cost falls (backtracking on eta_j), so that the answer is never worse than
 the projected start.
-Beyond the paper: a price mu ||x - x_prev||^2 on increments, zero unless it is asked for.
+Beyond the paper: a price mu ||x - x_prev||^2 on increments, zero unless it is asked for; and the fins'
+second-order term (`curvature`), in the QP where it leaves that convex, and as a way out of a saddle.
 """
 
 from math import isfinite
 
+from twin.allocation.curvature import descent_curvature, residual_curvature
 from twin.allocation.kkt import kkt_residual
 from twin.allocation.qp import solve_box_qp
 from twin.allocation.qp_active_set import solve_active_set
@@ -18,6 +20,10 @@ from twin.compiled import jit
 
 SOLVED, BUDGET_SPENT, INFEASIBLE, FALLBACK, REFUSED = 1, 2, 3, 4, 5  # SolveStatus of the contract
 _BACKTRACKS = 6
+_ESCAPES = 3  # looks for a way out of a saddle, per cycle
+_NEAR = 1e-3  # KKT residual from which a saddle is looked for: Newton's steps towards one are wasted
+_ROOM = 1e-6  # share of its range that a command must have on both sides to count as free
+_ROUNDING = 1e-12  # share of the cost that no step can gain any more
 _HOLD = 1.0  # s for which the last command is held when demands are refused
 
 
@@ -70,6 +76,63 @@ def normal_equations(Q, R, lam, tau_d, tau, jacobian, x, n, H, g):
 
 
 @jit
+def add_curvature(model, a, w, x, n):
+    """Add the second-order term to w.H: all of it where H stays positive definite, else what is positive."""
+    for k in range(6):
+        w.weight[k] = a.Q[k] * (a.tau_d[k] - w.tau[k])
+    residual_curvature(model, x, a.effectiveness, a.nu_r, w.weight, w.curvature)
+    least = 0.0
+    for i in range(n):
+        w.free[i] = 1
+        least = min(least, w.curvature[i])
+    convex = least == 0.0 or descent_curvature(w.H, w.curvature, w.free, n, w.trial)
+    for i in range(n):
+        added = w.curvature[i] if convex else max(w.curvature[i], 0.0)
+        w.H[i, i] += added
+        w.curvature[i] -= added
+
+
+@jit
+def cost_at(model, a, w, x, n):
+    """Cost of this cycle's problem at x (8,); w.tau and w.jacobian are filled."""
+    wrench_map(model, x, w.u_previous, a.effectiveness, a.nu_r, w.tau, w.jacobian)
+    cost = allocation_cost(a.Q, a.R, a.lam, a.tau_d, w.tau, x, n)
+    return cost + increment_cost(a.increment_price, x, w.x_previous, n)
+
+
+@jit
+def leave_saddle(model, a, w, x, cost, n):
+    """Move x down a direction of negative curvature in the free commands, if there is one; returns the cost.
+
+    Tried from the first bound that the direction meets inwards, on both sides. Where it does not find less,
+    x and cost stay as they are.
+    """
+    least = 0.0
+    for i in range(n):
+        room = min(x[i] - w.lower[i], w.upper[i] - x[i])
+        w.free[i] = 1 if room > _ROOM else 0
+        least = min(least, w.curvature[i])
+    if least == 0.0 or descent_curvature(w.H, w.curvature, w.free, n, w.step):
+        return cost
+    reach = 1e9
+    for i in range(n):
+        if w.step[i] != 0.0:
+            reach = min(reach, min(x[i] - w.lower[i], w.upper[i] - x[i]) / abs(w.step[i]))
+    for _ in range(_BACKTRACKS):
+        for _ in range(2):
+            reach = -reach
+            for i in range(n):
+                w.trial[i] = x[i] + reach * w.step[i]
+            trial_cost = cost_at(model, a, w, w.trial, n)
+            if trial_cost < cost:
+                for i in range(n):
+                    x[i] = w.trial[i]
+                return trial_cost
+        reach *= 0.5
+    return cost
+
+
+@jit
 def refuse(settings, model, a):
     """Hold the last command within this cycle's bounds and say so; after a second come to rest."""
     a.refused += 1
@@ -101,26 +164,30 @@ def allocate_mdca(handle, settings, model, a, w):
         w.x_previous[i] = to_x(model, i, a.u[i])
         start = w.x_previous[i] if settings.project == 1 else 0.0
         x[i] = min(max(start, lower[i]), upper[i])
-    wrench_map(model, x, w.u_previous, a.effectiveness, a.nu_r, w.tau, w.jacobian)
-    cost = allocation_cost(a.Q, a.R, a.lam, a.tau_d, w.tau, x, n)
-    cost += increment_cost(a.increment_price, x, w.x_previous, n)
-    status = BUDGET_SPENT
+    cost = cost_at(model, a, w, x, n)
     fallback = False
-    a.iterations = 0
-    a.kkt = 0.0
+    a.iterations, a.kkt = 0, 0.0
+    escapes = 0
     while True:
         normal_equations(a.Q, a.R, a.lam, a.tau_d, w.tau, w.jacobian, x, n, w.H, w.g)
         price_increments(a.increment_price, x, w.x_previous, n, w.H, w.g)
+        add_curvature(model, a, w, x, n)
         for i in range(n):
             step[i] = 0.0
             w.lb[i], w.ub[i] = lower[i] - x[i], upper[i] - x[i]
         a.kkt = kkt_residual(w.H, w.g, w.lb, w.ub, step, n)
-        if a.kkt <= settings.kkt_tolerance:
-            status = SOLVED
-            break
-        if a.iterations >= settings.sqp_iterations:
+        if a.kkt <= _NEAR and escapes < _ESCAPES:
+            escapes += 1
+            escaped = leave_saddle(model, a, w, x, cost, n)
+            if escaped < cost:
+                cost = escaped
+                continue
+        status = SOLVED if a.kkt <= settings.kkt_tolerance else BUDGET_SPENT
+        if status == SOLVED or a.iterations >= settings.sqp_iterations:
             break
         a.iterations += 1
+        for i in range(n):
+            step[i] = 0.0
         if a.iterations == 1:
             fallback = solve_box_qp(handle, w.H, w.g, w.lb, w.ub, step, n) != QP_SOLVED
         else:  # the bounds that hold are known but for a few: the exact finish alone finds those
@@ -130,15 +197,17 @@ def allocate_mdca(handle, settings, model, a, w):
         for _ in range(_BACKTRACKS):
             for i in range(n):
                 trial[i] = min(max(x[i] + eta * step[i], lower[i]), upper[i])
-            wrench_map(model, trial, w.u_previous, a.effectiveness, a.nu_r, w.tau, w.jacobian)
-            trial_cost = allocation_cost(a.Q, a.R, a.lam, a.tau_d, w.tau, trial, n)
-            trial_cost += increment_cost(a.increment_price, trial, w.x_previous, n)
+            trial_cost = cost_at(model, a, w, trial, n)
             if trial_cost < cost:
                 accepted = True
                 break
             eta *= 0.5
         if not accepted:
-            wrench_map(model, x, w.u_previous, a.effectiveness, a.nu_r, w.tau, w.jacobian)
+            slope = 0.0
+            for i in range(n):
+                slope -= w.g[i] * step[i]
+            if slope <= _ROUNDING * cost:
+                status = SOLVED
             break
         cost = trial_cost
         for i in range(n):

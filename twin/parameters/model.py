@@ -81,7 +81,7 @@ class AllocationParameters:
     allocator: Allocator = "mdca"
     solver: Solver = "osqp"
     sqp_iterations: int = 8
-    kkt_tolerance: float = 1e-6  # of the projected gradient in bound-normalised commands
+    kkt_tolerance: float = 1e-8  # of the projected gradient in bound-normalised commands
     fault_tolerant: bool = False  # allocate with the degraded map and softened constraints
     anti_windup_per_s: float = 1.0  # feedback of the allocation residual into the integrals
     increment_price: float = 0.0  # weight of ||x - x_prev||^2, on bound-normalised commands
