@@ -12,8 +12,8 @@ KINDS = ("plain", "saturated", "no flow", "reversed flow", "failed actuator", "o
 def random_problems(model: np.record, count: int, seed: int) -> np.ndarray:
     """`count` PROBLEM rows (kinds in turn) for a vehicle's MODEL record.
 
-    Demands lie within the thrusters' rough authority, up to six times beyond it where saturated; last commands
-    lie anywhere within amplitude, beyond it in "outside its bounds"; in "pinned" half of them cannot move.
+    Demands lie within the thrusters' rough authority, up to six times beyond it where saturated; last
+    commands lie anywhere within amplitude, beyond it in "outside its bounds"; in "pinned" half of them cannot move.
     """
     rng = np.random.default_rng(seed)
     n = int(model["n_u"])
@@ -35,7 +35,8 @@ def random_problems(model: np.record, count: int, seed: int) -> np.ndarray:
         row["u_previous"][:n] = low + (high - low) * rng.random(n)
         if kind == "outside its bounds":
             row["u_previous"][rng.integers(n)] *= 1.5
-        command_bounds(model, row["u_previous"], 0.05, row["u_lower"], row["u_upper"], np.zeros(MAX_ACTUATORS))
+        step = np.zeros(MAX_ACTUATORS)
+        command_bounds(model, row["u_previous"], 0.05, row["u_lower"], row["u_upper"], step)
         if kind == "pinned":
             held = rng.random(n) < 0.5
             row["u_lower"][:n][held] = row["u_upper"][:n][held] = row["u_previous"][:n][held]

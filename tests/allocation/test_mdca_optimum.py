@@ -51,7 +51,7 @@ def answered(ts100, model, problems, solver):
 
 @pytest.fixture(scope="module")
 def reference(ts100, model, problems):
-    """Answers by the bare active set and, started from them, rest, the last command and elsewhere, the optimum."""
+    """Answers by the bare active set; the least cost from there, the last command, rest and elsewhere."""
     cost, u, status = answered(ts100, model, problems, "active_set")
     posed, best = problems.copy(), np.zeros(PROBLEMS)
     posed["u"] = u
