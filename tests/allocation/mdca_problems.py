@@ -13,7 +13,8 @@ def random_problems(model: np.record, count: int, seed: int) -> np.ndarray:
     """`count` PROBLEM rows (kinds in turn) for a vehicle's MODEL record.
 
     Demands lie within the thrusters' rough authority, up to six times beyond it where saturated; last
-    commands lie anywhere within amplitude, beyond it in "outside its bounds"; in "pinned" half of them cannot move.
+    commands lie anywhere within amplitude, beyond it in "outside its bounds"; in "pinned" half of them
+    cannot move.
     """
     rng = np.random.default_rng(seed)
     n = int(model["n_u"])
