@@ -13,11 +13,17 @@ import pytest
 from twin.report import Comparison, Figure, Grid, Panel, Part, Series, Solid, page_of
 from twin.report.csv_text import csv_of
 from twin.report.parts import PARTS, run_part, wanted_parts
+from twin.report.parts.extensions import effect
 from twin.report.parts.tank import about_mean, segments, steps
+from twin.report.parts.tradeoff import best
 from twin.report.plot import POINTS, panel_svg, thinned
 from twin.report.readme import BEGIN, END, results_text, with_results
+from twin.report.shortfalls import CAUSES, shortfalls
 from twin.report.solid import solid_svg
+from twin.report.table_html import table_html
 from twin.report.ticks import number, percent, ticks
+from twin.study.goals import GOALS
+from twin.study.tradeoff import CURVES
 
 ROOT = Path(__file__).parents[2]
 
@@ -129,3 +135,66 @@ def test_the_readme_holds_the_results_of_the_numbers_behind_it() -> None:
     assert with_results(readme, document) == readme
     assert results_text(document) in readme
     assert readme.count(BEGIN) == readme.count(END) == 1
+
+
+def test_columns_stand_as_their_cells_do() -> None:
+    """Protects: numbers and percentages to the right, words to the left, their headings with them."""
+    rows = [["a", 1.5, "−3.1 %", "met"], ["b", None, "> +9999 %", "two\nlines"]]
+    html = table_html(Grid("t", "T", "", ["name", "x", "change", "said"], rows))
+    assert '<th class="num">x</th><th class="num">change</th><th class="word">said</th>' in html
+    assert '<td class="num">−3.1 %</td><td class="word">met</td>' in html
+    assert "two<br>lines" in html
+
+
+def test_a_trade_off_names_the_best_point_of_each_goal() -> None:
+    """Protects: the price of a goal is read at the point that is best for it."""
+    curve = next(c for c in CURVES if c.id == "price")
+    shares = [(0.6, 0.8, 0.9), (0.2, 0.9, 1.0)]
+    points = [
+        {"value": value, "goals": {n: {"share": s} for n, s in zip(curve.goals, of, strict=True)}}
+        for value, of in zip((0.1, 10.0), shares, strict=True)
+    ]
+    found = best(curve, {"in_use": 10.0, "points": points})
+    assert [(top["at"], top["share"]) for top in found] == [(0.1, 0.6), (10.0, 0.9), (10.0, 1.0)]
+    assert found[0]["others"] == {"d_u,FR S3->S4": 0.8, "d_u,RH S3->S4": 0.9}
+
+
+def test_an_extension_is_needed_where_a_goal_falls_without_it() -> None:
+    """Protects: the column that says what each extension is for."""
+    on = {goal.name: {"share": 0.95} for goal in GOALS}
+    off = {goal.name: {"share": 0.95} for goal in GOALS}
+    first, second, third = (goal.name for goal in GOALS[:3])
+    off[first] = {"share": 0.5}
+    on[second], off[second] = {"share": 0.6}, {"share": 0.4}
+    off[third] = {"share": 1.0}
+    assert effect(on, off) == {"needed for": [first], "helps": [second], "costs": [third]}
+
+
+def test_every_shortfall_has_its_reason_and_its_numbers() -> None:
+    """Protects: the README says why a goal is missed, with share, place and price from the JSON."""
+    name = "S4<=S2 e_tau"
+    robust = {
+        "numbers": {"missed": [name], "share": {name: 0.28}},
+        "tables": {"goals": {"rows": [["S4 ≤ S2 e_τ", "x", "noise 1 against 0"]]}},
+    }
+    point = {"value": 0.1, "goals": {name: {"ratio": 0.97, "share": 0.55}}}
+    trade = {
+        "numbers": {
+            "plants": 40,
+            "titles": {"price": "price"},
+            "curves": {"price": {"points": [point]}},
+            "best": [{"curve": "price", "goal": name, "share": 0.55, "at": 0.1, "others": {"d_u,FR": 0.8}}],
+        }
+    }
+    stability = {
+        "numbers": {
+            "docking": {"spectral_radius": {"F": 0.9, "H": 1.0}, "slowest_in": {"H": "plant.eta[1]"}}
+        },
+        "tables": {"dwell": {"rows": [["docking", 1, 60, 3.0, None, None, 120, "not proven"]]}},
+    }
+    lines = shortfalls({"robustness": robust, "tradeoff": trade, "stability": stability})
+    assert len(lines) == 2
+    for told in ("28 %", CAUSES[name][1:], "noise 1 against 0", "55 % of 40 plants at price 0.1", "80 %"):
+        assert told in lines[0], told
+    assert "does not contract" in lines[1] and "place across" in lines[1]
+    assert set(CAUSES) <= {goal.name for goal in GOALS}

@@ -2,12 +2,27 @@
 
 import json
 import math
+from dataclasses import replace
 
-from twin.study.ablation import BUMPLESS_FIGURES, ablation, bumpless_variations
-from twin.study.goals import GOALS, READINGS, other_reading
+from twin.parameters import default_parameters
+from twin.study.ablation import (
+    ALL_ON,
+    BUMPLESS_FIGURES,
+    PUBLISHED,
+    ablation,
+    bumpless_variations,
+    extension_ablation,
+)
+from twin.study.extensions import EXTENSIONS
+from twin.study.goals import GOALS, goal_named
+from twin.study.many import fly_rows, nominal_rows, plant_rows
+from twin.study.plants import draw
 from twin.study.published import TABLE_6, TABLE_7, TABLE_8
-from twin.study.robustness import run
+from twin.study.readings import READINGS, primary_definition, readings_of, scenarios_of
+from twin.study.robustness import SCENARIO_NAMES, run
 from twin.study.tables import table6, table7, table8
+from twin.study.tradeoff import CURVES, trade_offs
+from twin.vehicle import load_vehicle
 
 
 def test_tables_are_plain_and_complete() -> None:
@@ -30,8 +45,51 @@ def test_goals_carry_the_published_ratios() -> None:
     by_name = {goal.name: goal for goal in GOALS}
     assert math.isclose(by_name["d_u,RH S3->S4"].paper, 1 - 0.6253)
     assert math.isclose(by_name["e_tau S5->S6"].paper, 0.9988 / 1.1335, abs_tol=1e-3)
+
+
+def test_every_reading_names_figures_that_exist() -> None:
+    """Protects: each other definition touches a goal, flies a known scenario and reads a computed figure."""
+    names = scenarios_of()
+    assert {"S1-rpm", "S3-keep", "S3-reset"} < set(names)
+    assert set(scenarios_of(readings=False)) == set(SCENARIO_NAMES)
+    figures = fly_rows(nominal_rows(names, seeds=(1,)), workers=1)[0]
     for reading in READINGS:
-        assert any(other_reading(goal, reading) for goal in GOALS)
+        assert any(reading.of(goal) for goal in GOALS), reading.name
+    for goal in GOALS:
+        assert primary_definition(goal)
+        for _, read in readings_of(goal):
+            assert math.isfinite(read.ratio(figures))
+
+
+def test_windows_nest() -> None:
+    """Protects: a wider window never shows a smaller step, and no step exceeds its bound."""
+    figures = fly_rows(nominal_rows(("S3",), seeds=(1,)), workers=1)[0]["S3"]
+    for switch in ("FR", "RH"):
+        assert figures[f"d_u_{switch}_1s"] <= figures[f"d_u_{switch}_bound"]
+        assert figures[f"d_u_{switch}_bound"] <= figures[f"d_u_{switch}_limit"] + 1e-9
+
+
+def test_extensions_are_ablated_one_by_one() -> None:
+    """Protects: the table of extensions: its ends are the design and the published method."""
+    rows = extension_ablation(1, seeds=(1,), workers=1)
+    assert [row["name"] for row in rows] == [ALL_ON, *(e.name for e in EXTENSIONS), PUBLISHED]
+    flown = fly_rows(nominal_rows(SCENARIO_NAMES, seeds=(1,)), workers=1)
+    assert rows[0]["goals"][GOALS[0].name]["ratio"] == GOALS[0].ratio(flown[0])
+    assert rows[0]["goals"] != rows[-1]["goals"]
+    json.dumps(rows, allow_nan=False)
+
+
+def test_a_trade_off_is_judged_as_the_goals_are() -> None:
+    """Protects: scenarios that fly once are not mixed up with those that fly at every point."""
+    curve = replace(CURVES[0], values=(1.0, 10.0))
+    flown = trade_offs([curve], n_plants=1, workers=1)[curve.id]
+    used = default_parameters(load_vehicle("ts100")).bumpless.ramp_increment_price
+    assert flown["in_use"] == used
+    at_ten = plant_rows([draw(0)], SCENARIO_NAMES, {"bumpless": {"ramp_increment_price": 10.0}})
+    plain = fly_rows(at_ten, workers=1)
+    for name in curve.goals:
+        assert flown["points"][1]["goals"][name]["ratio"] == goal_named(name).ratio(plain[0])
+    json.dumps(flown, allow_nan=False)
 
 
 def test_nan_never_meets_a_goal() -> None:

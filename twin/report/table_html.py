@@ -1,6 +1,9 @@
 """Tables as HTML."""
 
+import re
+from collections.abc import Sequence
 from html import escape
+from typing import Any
 
 from twin.report.content import Comparison, Grid, relative_change
 from twin.report.ticks import number, percent
@@ -33,13 +36,30 @@ def _comparison(table: Comparison) -> str:
     return f"{key}<table><thead><tr><th></th>{head}</tr></thead><tbody>{''.join(lines)}</tbody></table>"
 
 
+NUMERIC = re.compile(r"^[−+\-]?[\d ,.]+(e[−+\-]?\d+)?( ?[%s°])?$|^[<>] [−+\d ]+%$|^–?$")
+
+
 def _grid(table: Grid) -> str:
-    head = "".join(f"<th>{escape(column)}</th>" for column in table.columns)
+    numeric = [_is_numeric([row[k] for row in table.rows]) for k in range(len(table.columns))]
+    head = "".join(
+        f'<th class="{"num" if of else "word"}">{escape(column)}</th>'
+        for column, of in zip(table.columns, numeric, strict=True)
+    )
     lines = []
     for row in table.rows:
         cells = "".join(
-            f"<td class={'word' if isinstance(value, str) else 'num'}>{escape(number(value))}</td>"
-            for value in row[1:]
+            f'<td class="{"num" if of else "word"}">{_lines(value)}</td>'
+            for value, of in zip(row[1:], numeric[1:], strict=True)
         )
-        lines.append(f"<tr><th>{escape(number(row[0]))}</th>{cells}</tr>")
+        lines.append(f"<tr><th>{_lines(row[0])}</th>{cells}</tr>")
     return f"<table><thead><tr>{head}</tr></thead><tbody>{''.join(lines)}</tbody></table>"
+
+
+def _is_numeric(cells: Sequence[Any]) -> bool:
+    """Whether every cell of a column is a number, a percentage or nothing."""
+    texts = [line for cell in cells for line in number(cell).split("\n")]
+    return any(text not in ("", "–") for text in texts) and all(NUMERIC.match(text) for text in texts)
+
+
+def _lines(value: Any) -> str:
+    return escape(number(value)).replace("\n", "<br>")

@@ -46,3 +46,18 @@ def percent(value: float | None) -> str:
         return "> +9999 %" if shown > 0 else "< −9999 %"
     text = f"{shown:+.1f}" if abs(shown) < 100 else f"{shown:+.0f}"
     return f"{text} %".replace("-", "−")
+
+
+def share(value: float | None) -> str:
+    """A share as a percentage without sign."""
+    return "–" if value is None else f"{value:.0%}".replace("%", " %")
+
+
+def change(ratio: float | None) -> str:
+    """A ratio of two figures as the change from the second to the first."""
+    return "–" if ratio is None else percent(ratio - 1.0)
+
+
+def words(name: str) -> str:
+    """A goal's name as people write it."""
+    return name.replace("->", "→").replace("<=", " ≤ ").replace("e_tau", "e_τ")

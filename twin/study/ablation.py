@@ -1,7 +1,7 @@
 """What each mechanism buys alone: S3 with one mechanism added, S4 with one taken away, S6 likewise.
 
 Source: Gao et al. 2026, eq. (54)-(57) for the three published mechanisms; the others are named in
-`EXTENSIONS`, which says for each what it is, and how to switch it off.
+`EXTENSIONS`, which says for each what it is and how to switch it off; `extension_ablation` flies that.
 """
 
 from collections.abc import Sequence
@@ -11,8 +11,10 @@ from typing import Any
 from twin.study.extensions import EXTENSIONS
 from twin.study.figures import Figures
 from twin.study.fly import Job, fly_all
-from twin.study.plants import NOMINAL, Plant
-from twin.study.scenarios import Overrides, merged
+from twin.study.goals import GOALS
+from twin.study.many import fly_rows, nominal_rows, plant_rows, ratio_of, share_of
+from twin.study.plants import NOMINAL, Plant, draw
+from twin.study.scenarios import SCENARIOS, Overrides, merged
 from twin.study.tables import SEEDS, Progress, spread_of
 
 MECHANISMS = ("ramp", "integrator_alignment", "warm_start_projection")
@@ -56,15 +58,6 @@ def fault_variations() -> list[Variation]:
     return [*rows, Variation("all (S6)", "S6", {})]
 
 
-def extension_variations(scenarios: Sequence[str]) -> list[Variation]:
-    """Each extension switched off by itself, and all of them, for the scenarios named."""
-    rows = [Variation("all on", s, {}) for s in scenarios]
-    for e in EXTENSIONS:
-        rows += [Variation(f"without {e.name}", s, e.off) for s in scenarios]
-    nothing = merged(*(e.off for e in EXTENSIONS))
-    return rows + [Variation("as published", s, nothing) for s in scenarios]
-
-
 def ablation(
     variations: Sequence[Variation],
     figures: Sequence[str],
@@ -87,3 +80,38 @@ def ablation(
             }
         )
     return rows
+
+
+ALL_ON, PUBLISHED = "all on", "as published (all off)"
+
+
+def extension_ablation(
+    n_plants: int = 60,
+    seeds: Sequence[int] = SEEDS,
+    progress: Progress = None,
+    workers: int | None = None,
+) -> list[dict[str, Any]]:
+    """Every extension on, each off alone, all off: of every goal the nominal ratio and the share of plants.
+
+    Baselines that an extension does not touch are not flown again. Rows: name, about, and for each goal
+    {"ratio": median over seeds on the nominal plant, "share": of plants 0 .. n_plants - 1}.
+    """
+    plants, names = [draw(i) for i in range(n_plants)], tuple(SCENARIOS)
+    own = tuple(name for name in names if name not in ("S1", "S2", "S3"))
+    variations: list[tuple[str, str, tuple[str, ...], Overrides]] = [(ALL_ON, "", names, {})]
+    variations += [(e.name, e.about, names if e.shared else own, e.off) for e in EXTENSIONS]
+    variations.append((PUBLISHED, "", names, merged(*(e.off for e in EXTENSIONS))))
+    rows = [
+        row
+        for _, _, touched, off in variations
+        for row in (*nominal_rows(touched, seeds, off), *plant_rows(plants, touched, off))
+    ]
+    flown = fly_rows(rows, progress, workers)
+    size = len(seeds) + n_plants
+    base, out = flown[:size], []
+    for k, (name, about, _, _) in enumerate(variations):
+        mine = [{**on, **off} for on, off in zip(base, flown[k * size : (k + 1) * size], strict=True)]
+        nominal, drawn = mine[: len(seeds)], mine[len(seeds) :]
+        judged = {g.name: {"ratio": ratio_of(g, nominal), "share": share_of(g, drawn)} for g in GOALS}
+        out.append({"name": name, "about": about, "goals": judged})
+    return out

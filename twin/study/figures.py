@@ -10,9 +10,13 @@ taken and what "deviation" means; each open choice is a name here:
   d_u        `bound`  commands divided by their amplitude bounds (primary)
              `thrust` the same with a screw's n|n| instead of n
              `mixed`  degrees and rpm in one norm, as printed in the paper
-  window     2 s before to 2 s after the run's own first switch of the kind
+             each with the window from 2 s before to 2 s after the run's own first switch of the kind;
+             `1s`     as `bound`, 1 s before to 1 s after
+             `15s`    as `bound`, from the switch to 15 s after it, or to the next switch: past every ramp
   deviation  `rms`    of the true angle about its reference, from the fault to the end (primary)
+             `10s`    the same over the first 10 s
              `peak`   its largest magnitude
+             `moved`  largest change of the angle since the fault, whatever the reference
 """
 
 from dataclasses import dataclass
@@ -26,6 +30,9 @@ from twin.metrics.summary import AT_BOUND
 from twin.metrics.switches import WINDOW_S
 from twin.records import FORWARD, HOVER, REVERSE
 from twin.simulation import Result
+
+LONG_S, SHORT_S = 15.0, 1.0  # the other windows about a switch
+SHORT_FAULT_S = 10.0
 
 Figures = dict[str, float]
 Floats = npt.NDArray[np.float64]
@@ -106,26 +113,31 @@ def steps_of(run: Run) -> Floats:
 
 
 def _switch(run: Run, bounds: Bounds, name: str, before: int, after: int) -> Figures:
-    """d_u in the window about the first switch from `before` to `after`."""
+    """d_u in the windows about the first switch from `before` to `after`."""
     rows = np.flatnonzero((run.mode[:-1] == before) & (run.mode[1:] == after)) + 1
-    keys = (f"t_{name}", f"d_u_{name}_bound", f"d_u_{name}_thrust", f"d_u_{name}_mixed", f"d_u_{name}_limit")
+    kinds = ("bound", "thrust", "mixed", "1s", "15s", "limit")
     if not len(rows):
-        return dict.fromkeys(keys, float("nan"))
-    time = float(run.time[rows[0]])
-    near = np.abs(run.time - time) <= WINDOW_S + 1e-9
-    du = steps_of(run)[near]
+        return dict.fromkeys((f"t_{name}", *(f"d_u_{name}_{kind}" for kind in kinds)), float("nan"))
+    first = int(rows[0])
+    time = float(run.time[first])
+    du = steps_of(run)
     share = run.u / bounds.largest
     thrust = np.where(bounds.fin, share, share * np.abs(share))
-    d_thrust = np.diff(thrust, axis=0, prepend=thrust[:1])[near]
-    limit = np.linalg.norm(run.du_max[near] / bounds.largest, axis=1).max()
-    values = (
-        time,
-        np.linalg.norm(du / bounds.largest, axis=1).max(),
-        np.linalg.norm(d_thrust, axis=1).max(),
-        np.linalg.norm(du * bounds.edge, axis=1).max(),
-        limit,
-    )
-    return {key: float(value) for key, value in zip(keys, values, strict=True)}
+    norms = {
+        "bound": np.linalg.norm(du / bounds.largest, axis=1),
+        "thrust": np.linalg.norm(np.diff(thrust, axis=0, prepend=thrust[:1]), axis=1),
+        "mixed": np.linalg.norm(du * bounds.edge, axis=1),
+        "limit": np.linalg.norm(run.du_max / bounds.largest, axis=1),
+    }
+    near = np.abs(run.time - time) <= WINDOW_S + 1e-9
+    out = {f"d_u_{name}_{kind}": float(norm[near].max()) for kind, norm in norms.items()}
+    short = np.abs(run.time - time) <= SHORT_S + 1e-9
+    left = np.flatnonzero(run.mode[first:] != after)
+    stay = np.arange(len(run.time)) < (first + left[0] if len(left) else len(run.time))
+    long = stay & (run.time >= time) & (run.time <= time + LONG_S + 1e-9)
+    out[f"d_u_{name}_1s"] = float(norms["bound"][short].max())
+    out[f"d_u_{name}_15s"] = float(norms["bound"][long].max())
+    return {f"t_{name}": time, **out}
 
 
 def _flight(log: np.ndarray) -> Figures:
@@ -150,6 +162,7 @@ def _fault(log: np.ndarray, residual: dict[str, Floats], fault_time: float) -> F
         deviation = log["reference"][post, i] - log["eta"][post, i]
         deviation = (deviation + np.pi) % (2.0 * np.pi) - np.pi
         out[f"d_{name}_fault_rms"] = rms(deviation)
+        out[f"d_{name}_fault_10s"] = rms(deviation[log["time"][post] <= fault_time + SHORT_FAULT_S])
         out[f"d_{name}_fault_peak"] = float(np.abs(deviation).max(initial=0.0))
         moved = np.unwrap(log["eta"][post, i])
         out[f"d_{name}_fault_moved"] = float(np.abs(moved - moved[0]).max()) if len(moved) else float("nan")

@@ -53,19 +53,7 @@ GOALS: tuple[Goal, ...] = (
     Goal("yaw S5->S6", "S6", "S5", "d_psi_fault_rms", 1.0, 1 + 0.47, "after the fault"),
 )
 
-# The same goals under the other readings of what the paper leaves open, shown beside the primary ones.
-READINGS: dict[str, dict[str, str]] = {
-    "tau_c as the plant's true wrench": {"rms_e_tau_model": "rms_e_tau_true"},
-    "tau_c by the allocator's map": {"rms_e_tau_post_true": "rms_e_tau_post_model"},
-    "d_u in thrust": {"d_u_FR_bound": "d_u_FR_thrust", "d_u_RH_bound": "d_u_RH_thrust"},
-    "d_u in mixed deg and rpm": {"d_u_FR_bound": "d_u_FR_mixed", "d_u_RH_bound": "d_u_RH_mixed"},
-    "peak deviation": {"d_theta_fault_rms": "d_theta_fault_peak", "d_psi_fault_rms": "d_psi_fault_peak"},
-}
 
-
-def other_reading(goal: Goal, reading: str) -> Goal | None:
-    """The goal under a reading of READINGS; None where that reading does not touch it."""
-    figure = READINGS[reading].get(goal.figure)
-    if figure is None:
-        return None
-    return Goal(goal.name, goal.of, goal.over, figure, goal.limit, goal.paper, f"{goal.about}; {reading}")
+def goal_named(name: str) -> Goal:
+    """The goal of a name."""
+    return next(goal for goal in GOALS if goal.name == name)

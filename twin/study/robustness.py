@@ -10,14 +10,19 @@ from typing import Any
 import numpy as np
 
 from twin.study.figures import Figures
-from twin.study.fly import Job, fly_all
-from twin.study.goals import GOALS, READINGS, Goal, other_reading
+from twin.study.goals import GOALS, Goal
+from twin.study.many import Flown, fly_rows, plant_rows, share_of
 from twin.study.plants import DISTRIBUTION, Plant, draw
+from twin.study.readings import READINGS, scenarios_of
 from twin.study.scenarios import Overrides
 from twin.study.tables import Progress
 
 SCENARIO_NAMES: tuple[str, ...] = ("S1", "S2", "S3", "S4", "S5", "S6")
 WANTED_SHARE = 0.9
+TUNED_ON, HELD_OUT = (
+    0,
+    200,
+)  # first plant of the 200 that the parameters were chosen on; of those they never saw
 
 
 def run(
@@ -26,19 +31,17 @@ def run(
     workers: int | None = None,
     extra: Overrides | None = None,
     first: int = 0,
+    variants: bool = False,
 ) -> dict[str, Any]:
     """Fly S1 to S6 on plants first .. first + n_plants - 1 and hold every goal against every plant.
 
     Plant i flies with seed i + 1. workers: processes, None for every core. extra: parameters laid
-    under the scenarios' own (a design under trial). Returns plain values fit for JSON.
+    under the scenarios' own (a design under trial). variants: fly those of S1 and S3 as well, for the
+    readings that need them. Returns plain values fit for JSON.
     """
     plants = [draw(first + i) for i in range(n_plants)]
-    jobs = [Job(name, p.number + 1, p, extra or {}) for p in plants for name in SCENARIO_NAMES]
-    flat: list[Figures] = fly_all(jobs, workers=workers, progress=progress)
-    n = len(SCENARIO_NAMES)
-    flown: list[dict[str, Figures]] = [
-        dict(zip(SCENARIO_NAMES, flat[i * n : (i + 1) * n], strict=True)) for i in range(n_plants)
-    ]
+    names = scenarios_of() if variants else SCENARIO_NAMES
+    flown = fly_rows(plant_rows(plants, names, extra), progress, workers)
     return {
         "plants": [p.as_dict() for p in plants],
         "distribution": {
@@ -47,10 +50,10 @@ def run(
         },
         "goals": {goal.name: _judge(goal, plants, flown) for goal in GOALS},
         "readings": {
-            reading: {
-                goal.name: _share(other, flown)
+            reading.name: {
+                goal.name: share_of(read, flown)
                 for goal in GOALS
-                if (other := other_reading(goal, reading)) is not None
+                if (read := reading.of(goal)) is not None and {read.of, read.over} <= set(names)
             }
             for reading in READINGS
         },
@@ -58,16 +61,12 @@ def run(
     }
 
 
-def _share(goal: Goal, flown: Sequence[dict[str, Figures]]) -> float:
-    return float(np.mean([goal.holds(row) for row in flown]))
-
-
-def _judge(goal: Goal, plants: Sequence[Plant], flown: Sequence[dict[str, Figures]]) -> dict[str, Any]:
+def _judge(goal: Goal, plants: Sequence[Plant], flown: Sequence[Flown]) -> dict[str, Any]:
     ratios = np.array([goal.ratio(row) for row in flown])
     holds = np.array([goal.holds(row) for row in flown])
     finite = ratios[np.isfinite(ratios)]
     quantiles = np.quantile(finite, (0.05, 0.5, 0.9, 0.95)) if len(finite) else [None] * 4
-    share = float(holds.mean())
+    share = share_of(goal, flown)
     return goal.as_dict() | {
         "share": share,
         "met": share >= WANTED_SHARE,

@@ -1,74 +1,161 @@
 """Where a goal is not met: the curve along which it would have to be bought, and with what.
 
-Each curve moves one parameter of the design through its range and judges every goal at each point, on
-the same plants. `CURVES` names what is traded for what.
+Each curve moves one parameter of the design through its range and judges its goals at each point, on the
+same plants. Scenarios that the parameter does not touch fly once.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from twin.study.goals import GOALS
-from twin.study.robustness import run
+import numpy as np
+
+from twin.parameters import Parameters, default_parameters
+from twin.study.goals import Goal, goal_named
+from twin.study.many import fly_rows, plant_rows, share_of
+from twin.study.plants import draw
+from twin.study.readings import scenarios_of
 from twin.study.scenarios import Overrides
 from twin.study.tables import Progress
+from twin.vehicle import load_vehicle
+
+FACTORS = (0.01, 0.1, 0.3, 1.0, 3.0, 10.0)
+PITCH, YAW = 4, 5  # rows of the wrench
+BUMPLESS = ("S4<=S2 e_tau", "d_u,FR S3->S4", "d_u,RH S3->S4")
+FAULT = ("pitch S5->S6", "yaw S5->S6", "e_tau S5->S6")
 
 
 @dataclass(frozen=True)
 class Curve:
-    """One parameter and the values it takes."""
+    """One parameter: the values it takes, what each changes, and the scenarios that notice."""
 
-    name: str
+    id: str
+    parameter: str  # with its unit
     about: str
-    points: tuple[tuple[float, Overrides], ...]
+    goals: tuple[str, ...]
+    moves: tuple[str, ...]
+    values: tuple[float, ...]
+    at: Callable[[Parameters, float], Overrides]
+    in_use: Callable[[Parameters], float]
 
 
-def _fins(price: float) -> list[float]:
-    return [price] * 4 + [0.02, 0.05, 0.05]
+def _price(_: Parameters, value: float) -> Overrides:
+    return {"bumpless": {"ramp_increment_price": value}}
+
+
+def _ramp(_: Parameters, value: float) -> Overrides:
+    return {"reverse": {"ramp_cycles": int(value)}}
+
+
+def _priority(component: int) -> Callable[[Parameters, float], Overrides]:
+    def at(p: Parameters, factor: float) -> Overrides:
+        weights = [float(w) for w in p.allocation.priority]
+        weights[component] *= factor
+        return {"allocation": {"priority": weights}}
+
+    return at
+
+
+def _fins(p: Parameters, factor: float) -> Overrides:
+    fins = [a.kind == "fin" for a in load_vehicle("ts100").actuators]
+    return {
+        mode: {"r_diagonal": [float(r) * (factor if fin else 1.0) for r, fin in zip(of, fins, strict=True)]}
+        for mode in ("forward", "reverse", "hover")
+        for of in (getattr(p, mode).r_diagonal,)
+    }
+
+
+def _one(_: Parameters) -> float:
+    return 1.0
 
 
 CURVES: tuple[Curve, ...] = (
     Curve(
-        "price of increments in the ramp",
-        "smooth commands at a switch against wrench error: S4 <= S2 in e_tau is paid for with d_u",
-        tuple((v, {"bumpless": {"ramp_increment_price": v}}) for v in (0.0, 1.0, 10.0, 100.0)),
+        "price",
+        "price of increments while the ramp lasts",
+        "Smooth commands at a switch are paid for with wrench error: S4 <= S2 in e_tau against d_u.",
+        BUMPLESS,
+        ("S4",),
+        (0.1, 1.0, 3.0, 10.0, 30.0, 100.0),
+        _price,
+        lambda p: p.bumpless.ramp_increment_price,
     ),
     Curve(
-        "length of the ramp into R, cycles",
-        "the longer the ramp, the smaller d_u,FR and the later the vehicle brakes",
-        tuple((float(v), {"reverse": {"ramp_cycles": v}}) for v in (20, 40, 80, 160)),
+        "ramp",
+        "length of the ramp into R (cycles of 0.05 s)",
+        "The longer the ramp, the smaller d_u,FR and the later the demand of the new mode is served.",
+        BUMPLESS,
+        ("S4",),
+        (10.0, 20.0, 40.0, 80.0, 160.0),
+        _ramp,
+        lambda p: float(p.reverse.ramp_cycles),
     ),
     Curve(
-        "price of fins in hover",
-        "idle fins in S5 leave more to gain in S6, and cost S4 its heading",
-        tuple((v, {"hover": {"r_diagonal": _fins(v)}}) for v in (0.2, 1.0, 3.0, 10.0)),
+        "pitch_priority",
+        "priority of pitch in S6, times the one in use",
+        "Pitch against yaw and against the whole wrench after the fault: all three share four fins.",
+        FAULT,
+        ("S6",),
+        FACTORS,
+        _priority(PITCH),
+        _one,
+    ),
+    Curve(
+        "yaw_priority",
+        "priority of yaw in S6, times the one in use",
+        "The same from yaw's side.",
+        FAULT,
+        ("S6",),
+        FACTORS,
+        _priority(YAW),
+        _one,
+    ),
+    Curve(
+        "fins",
+        "price of fin deflection in all modes, times the one in use",
+        "Fins that S5 leaves idle are what S6 can gain pitch with.",
+        FAULT,
+        ("S5", "S6"),
+        FACTORS[1:],
+        _fins,
+        _one,
     ),
 )
 
 
-def trade_off(
-    curve: Curve, n_plants: int = 40, progress: Progress = None, workers: int | None = None
-) -> list[dict[str, Any]]:
-    """One row per point: the share and the median ratio of every goal."""
-    rows = []
-    for value, overrides in curve.points:
-        answer = run(n_plants, progress, workers, overrides)
-        judged = answer["goals"]
-        rows.append(
-            {
-                "value": value,
-                "goals": {
-                    g.name: {
-                        "share": judged[g.name]["share"],
-                        "median": judged[g.name]["ratio_quantiles"]["q50"],
-                    }
-                    for g in GOALS
-                },
-            }
-        )
-    return rows
+def trade_offs(
+    curves: Sequence[Curve] = CURVES,
+    n_plants: int = 40,
+    progress: Progress = None,
+    workers: int | None = None,
+) -> dict[str, dict[str, Any]]:
+    """By curve: the value in use, and a row per point with each goal's share and median ratio over limit."""
+    parameters = default_parameters(load_vehicle("ts100"))
+    plants = [draw(i) for i in range(n_plants)]
+    rows, goals = [], {}
+    for curve in curves:
+        goals[curve.id] = [goal_named(name) for name in curve.goals]
+        fixed = [name for name in scenarios_of(goals[curve.id], readings=False) if name not in curve.moves]
+        rows += plant_rows(plants, fixed)
+        for value in curve.values:
+            rows += plant_rows(plants, curve.moves, curve.at(parameters, value))
+    flown = iter(fly_rows(rows, progress, workers))
+    out: dict[str, dict[str, Any]] = {}
+    for curve in curves:
+        base = [next(flown) for _ in plants]
+        points = []
+        for value in curve.values:
+            mine = [{**row, **next(flown)} for row in base]
+            points.append({"value": value, "goals": {g.name: _judged(g, mine) for g in goals[curve.id]}})
+        out[curve.id] = {"in_use": curve.in_use(parameters), "points": points}
+    return out
 
 
-def curve_named(name: str, curves: Sequence[Curve] = CURVES) -> Curve:
-    """The curve of a name."""
-    return next(c for c in curves if c.name == name)
+def _judged(goal: Goal, flown: Sequence[Any]) -> dict[str, float | None]:
+    ratios = np.array([goal.ratio(row) for row in flown])
+    kept = ratios[np.isfinite(ratios)]
+    return {
+        "share": share_of(goal, flown),
+        "ratio": float(np.median(kept)) if len(kept) else None,
+        "over_limit": float(np.median(kept)) / goal.limit if len(kept) else None,
+    }

@@ -21,6 +21,8 @@ PARTS: dict[str, tuple[str, str]] = {
     "table7": ("study", "table7_part"),
     "table8": ("study", "table8_part"),
     "robustness": ("robustness", "part"),
+    "extensions": ("extensions", "part"),
+    "tradeoff": ("tradeoff", "part"),
     "tank": ("tank", "part"),
     "stability": ("stability", "part"),
 }

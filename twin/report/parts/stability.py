@@ -39,6 +39,7 @@ def part(progress: Progress) -> Part:
                 "dwell_in_use": d.in_use,
                 "dwell_needed": d.needed if math.isfinite(d.needed) else None,
                 "spectral_radius": d.radius,
+                "slowest_in": d.slowest,
             }
             for name, d in found.items()
         },

@@ -3,7 +3,8 @@
 Source: Gao et al. 2026, section 4.2, figures 11 to 18, tables 6 to 8.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 from twin.records import FIN, THRUSTER
@@ -20,12 +21,15 @@ from twin.report.ticks import number, percent
 from twin.study.ablation import (
     BUMPLESS_FIGURES,
     FAULT_FIGURES,
+    Variation,
     ablation,
     bumpless_variations,
     fault_variations,
 )
-from twin.study.fly import Job, fly
+from twin.study.fly import Job, fly, scenario_named
+from twin.study.scenarios import mission_of
 from twin.study.tables import table6, table7, table8
+from twin.vehicle import load_vehicle
 
 SEEDS = (1, 2, 3, 4, 5)
 NO_FAULT, FAULT = ("S1", "S2", "S3", "S4"), ("S5", "S6")
@@ -36,51 +40,95 @@ def counted(progress: Progress, start: float, end: float) -> Any:
     return lambda done, total: progress(start + (end - start) * done / max(total, 1))
 
 
+@dataclass(frozen=True)
+class Study:
+    """One of the paper's two tables of scenarios, and what is flown beside it."""
+
+    id: str
+    title: str
+    text: str
+    scenarios: Sequence[str]
+    table: Callable[..., dict[str, Any]]
+    ablation: tuple[str, str, Sequence[Variation], Sequence[str]]  # id, title, rows, columns
+    figures: tuple[str, str]  # id, numbers in the paper
+
+
 def table6_part(progress: Progress) -> Part:
     """No fault: S1 to S4."""
-    table = table6(SEEDS, counted(progress, 0.0, 0.6))
-    rows = ablation(bumpless_variations(), BUMPLESS_FIGURES, SEEDS, progress=counted(progress, 0.6, 0.9))
-    runs = {name: fly(Job(name)) for name in NO_FAULT}
-    progress(1.0)
-    return Part(
-        "table6",
-        "Switching without a fault (Table 6)",
-        "S1: PID channels drive their own actuators; S2: weighted pseudo-inverse, clipped; S3: constrained "
-        "allocation, hard switching; S4: the same, bumpless. One plant, one mission, one set of gains.",
-        [
-            _comparison("table6", table, NO_FAULT),
-            _changes("table6_changes", table, NO_FAULT),
-            _readings("table6_readings", table),
-            _ablation("ablation_bumpless", "Each bumpless mechanism by itself", rows, BUMPLESS_FIGURES),
-        ],
-        _scenario_figures("s1_s4", "Figures 11 to 14", runs),
-        notes=_definitions(table),
-        numbers={"changes": _change_numbers(table)},
+    return _part(
+        Study(
+            "table6",
+            "Switching without a fault (Table 6)",
+            "S1: PID channels drive their own actuators; S2: weighted pseudo-inverse, clipped; S3: "
+            "constrained allocation, hard switching; S4: the same, bumpless. One plant, one mission, "
+            "one set of gains.",
+            NO_FAULT,
+            table6,
+            (
+                "ablation_bumpless",
+                "Each bumpless mechanism by itself",
+                bumpless_variations(),
+                BUMPLESS_FIGURES,
+            ),
+            ("s1_s4", "Figures 11 to 14"),
+        ),
+        progress,
     )
 
 
 def table7_part(progress: Progress) -> Part:
     """Propeller fault: S5 and S6."""
-    table = table7(SEEDS, counted(progress, 0.0, 0.5))
-    rows = ablation(fault_variations(), FAULT_FIGURES, SEEDS, progress=counted(progress, 0.5, 0.9))
-    runs = {name: fly(Job(name)) for name in FAULT}
+    return _part(
+        Study(
+            "table7",
+            "Fault of the main propeller (Table 7)",
+            "At 45 s the propeller loses 60 % of its thrust over 2 s. S5 goes on with the nominal map; S6 "
+            "allocates with the degraded map, softened constraints and priorities. tau_c is the plant's true "
+            "wrench, so that S5's ignorance counts.",
+            FAULT,
+            table7,
+            (
+                "ablation_fault",
+                "Each part of the fault tolerance by itself",
+                fault_variations(),
+                FAULT_FIGURES,
+            ),
+            ("s5_s6", "Figures 15 to 17"),
+        ),
+        progress,
+    )
+
+
+def _part(study: Study, progress: Progress) -> Part:
+    table = study.table(SEEDS, counted(progress, 0.0, 0.6))
+    id, title, variations, columns = study.ablation
+    rows = ablation(variations, columns, SEEDS, progress=counted(progress, 0.6, 0.9))
+    runs = {name: fly(Job(name)) for name in study.scenarios}
     progress(1.0)
     return Part(
-        "table7",
-        "Fault of the main propeller (Table 7)",
-        "At 45 s the propeller loses 60 % of its thrust over 2 s. S5 goes on with the nominal map; S6 "
-        "allocates with the degraded map, softened constraints and priorities. tau_c is the plant's true "
-        "wrench, so that S5's ignorance counts.",
+        study.id,
+        study.title,
+        study.text,
         [
-            _comparison("table7", table, FAULT),
-            _changes("table7_changes", table, FAULT),
-            _readings("table7_readings", table),
-            _ablation("ablation_fault", "Each part of the fault tolerance by itself", rows, FAULT_FIGURES),
+            _comparison(study.id, table, study.scenarios),
+            _changes(f"{study.id}_changes", table, study.scenarios),
+            _readings(f"{study.id}_readings", table),
+            _ablation(id, title, rows, columns),
         ],
-        _scenario_figures("s5_s6", "Figures 15 to 17", runs),
+        _scenario_figures(*study.figures, runs),
         notes=_definitions(table),
         numbers={"changes": _change_numbers(table)},
+        hashes=study_hashes(study.scenarios),
     )
+
+
+def study_hashes(names: Sequence[str]) -> dict[str, str]:
+    """SHA-256 of the vehicle and of the scenarios' missions."""
+    missions = [mission_of(scenario_named(name)) for name in names]
+    return {
+        "vehicle ts100": load_vehicle("ts100").sha256,
+        **{f"mission {m.name}": m.sha256 for m in missions},
+    }
 
 
 def table8_part(progress: Progress) -> Part:
@@ -98,6 +146,7 @@ def table8_part(progress: Progress) -> Part:
         "numbers, and calls paced by a clock meet cold caches.",
         [_comparison("table8", table, (*NO_FAULT, *FAULT))],
         [figure],
+        hashes=study_hashes((*NO_FAULT, *FAULT)),
     )
 
 
