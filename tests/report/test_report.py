@@ -96,9 +96,11 @@ def test_every_cross_check_passes() -> None:
 
 def test_remus_rows_carry_their_reason() -> None:
     """Protects: no deviation beyond 5 % without a reason beside it."""
-    table = run_part("remus").tables[0]
-    assert isinstance(table, Grid)
-    assert all(abs(row[3] - 1.0) <= 0.05 or row[4] for row in table.rows)
+    table, reasons = run_part("remus").tables
+    assert isinstance(table, Grid) and isinstance(reasons, Grid)
+    letters = {row[0] for row in reasons.rows}
+    assert all(abs(row[4] - 1.0) <= 0.05 or row[5] in letters for row in table.rows)
+    assert letters == {row[5] for row in table.rows if row[5]}
 
 
 class Flight:

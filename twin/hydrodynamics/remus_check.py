@@ -1,8 +1,9 @@
 """The pipeline fed with the REMUS geometry against the thesis that the method comes from.
 
 `remus_check()` gives one row per published coefficient: ours, theirs, their ratio, and for each deviation
-beyond 5 % the modelling choice behind it. The twin's own arrangement differs from the thesis (Munk's moment
-sits in C_A, fin forces in the actuators); here the thesis' combined coefficients are put together again.
+beyond 5 % the reason, with what our pipeline gives under another reading of the thesis, if there is one.
+The twin's own arrangement differs from the thesis (Munk's moment sits in C_A, fin forces in the actuators);
+here the thesis' combined coefficients are put together again.
 
 Source: Prestero 2001, chapter 4 and its tables.
 """
@@ -17,7 +18,7 @@ from numpy.typing import NDArray
 
 from twin.hydrodynamics.coefficients import Coefficients, hull_coefficients
 from twin.hydrodynamics.drag import fin_cross_flow_drag
-from twin.hydrodynamics.remus_notes import NOTES
+from twin.hydrodynamics.remus_notes import Reason, reason_of
 from twin.vehicle import Vehicle, load_vehicle
 from twin.vehicle_parts import Fin
 
@@ -29,12 +30,16 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Row:
-    """One coefficient. `note` is empty when ours and theirs agree within TOLERANCE."""
+    """One coefficient, SI. Without `reason` when ours and theirs agree within TOLERANCE.
+
+    reread: ours under the reason's other reading of the thesis; None where it has none.
+    """
 
     name: str
     ours: float
     theirs: float
-    note: str
+    reason: Reason | None = None
+    reread: float | None = None
 
     @property
     def ratio(self) -> float:
@@ -46,18 +51,34 @@ class Row:
         """Whether the two differ by at most TOLERANCE."""
         return abs(self.ratio - 1.0) <= TOLERANCE
 
+    @property
+    def explained(self) -> bool:
+        """Whether the other reading gives the printed value within TOLERANCE."""
+        return self.reread is not None and abs(self.reread / self.theirs - 1.0) <= TOLERANCE
+
+    @property
+    def unit(self) -> str:
+        """kg times a power of m: N or N m over what the coefficient multiplies, radians left out."""
+        linear = sum(self.name[2:].count(rate) for rate in "uvw")
+        power = (1 if self.name[0] in "XYZ" else 2) - linear
+        return {-1: "kg/m", 0: "kg", 1: "kg·m", 2: "kg·m²"}[power]
+
 
 def remus_check(vehicle: Vehicle | None = None) -> tuple[Row, ...]:
     """All rows, in the order of the published table; the shipped `remus100` unless another is given."""
     vehicle = vehicle or load_vehicle("remus100")
     published = json.loads(PUBLISHED.read_text(encoding="utf-8"))["coefficients"]
     ours = {name: thesis_coefficient(vehicle, name) for name in published}
-    return tuple(_row(name, ours[name], theirs) for name, theirs in published.items())
+    return tuple(_row(vehicle, name, ours[name], theirs) for name, theirs in published.items())
 
 
-def _row(name: str, ours: float, theirs: float) -> Row:
-    agrees = abs(ours / theirs - 1.0) <= TOLERANCE
-    return Row(name, ours, theirs, "" if agrees else NOTES.get(name, ""))
+def _row(vehicle: Vehicle, name: str, ours: float, theirs: float) -> Row:
+    reason = reason_of(name)
+    if reason is None or abs(ours / theirs - 1.0) <= TOLERANCE:
+        return Row(name, ours, theirs)
+    if not reason.reading:
+        return Row(name, ours, theirs, reason)
+    return Row(name, ours, theirs, reason, reason.factor * thesis_coefficient(reason.read(vehicle), name))
 
 
 def thesis_coefficient(vehicle: Vehicle, name: str) -> float:
@@ -115,7 +136,8 @@ def table() -> str:
     """The comparison as text, one line per coefficient."""
     lines = [f"{'':8}{'ours':>10}{'thesis':>10}{'ratio':>8}"]
     for row in remus_check():
-        lines.append(f"{row.name:8}{row.ours:10.4g}{row.theirs:10.4g}{row.ratio:8.3f}  {row.note}".rstrip())
+        letter = row.reason.letter if row.reason else ""
+        lines.append(f"{row.name:8}{row.ours:10.4g}{row.theirs:10.4g}{row.ratio:8.3f}  {letter}".rstrip())
     return "\n".join(lines)
 
 

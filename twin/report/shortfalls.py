@@ -91,8 +91,9 @@ def _remus(parts: Document) -> list[str]:
     said = ""
     if "explained" in n:
         said = (
-            f" {n['explained']} of these the printed geometry gives under another reading, which the page "
-            f"computes; {n['unexplained']} no reading explains."
+            f" {n['explained']} of these come out under another reading of the thesis, which the page "
+            f"computes; for {n['unexplained']} ({', '.join(n['unexplained_names'])}) none was found: the "
+            "print contradicts its own geometry or looks adjusted to trials."
         )
     off = n["coefficients"] - n["within_5_percent"]
     return [
