@@ -6,7 +6,7 @@ T = rho D^4 K_T(J) n|n| becomes T_nn n|n| - T_nv |n| V_A, finite at n = 0. A fin
 full drift angle beta, so that it is right in reversed flow and at rest; the paper sets alpha = delta.
 """
 
-from math import atan2, cos, pi, sin, sqrt
+from math import atan, atan2, cos, pi, sin, sqrt
 
 from twin.compiled import inline, jit
 from twin.frames import wrap
@@ -26,7 +26,13 @@ def inflow_along(model, i, nu_r, ex, ey, ez):
     )
 
 
-@jit
+@inline
+def drift_angle(u, v):
+    """beta = atan2(v, u), rad; where it will do by the arctangent of one number, in half the time."""
+    return atan(v / u) if u > abs(v) else atan2(v, u)
+
+
+@inline
 def fin_coefficients(model, i, alpha):
     """(C_L, C_D, dC_L/dalpha, dC_D/dalpha) of fin i at angle of attack alpha, rad, any alpha.
 
@@ -46,8 +52,9 @@ def fin_coefficients(model, i, alpha):
     c_d, d_d = model.C_D0[i] + model.C_D2[i] * a * a, 2.0 * model.C_D2[i] * a
     excess = abs(a) - model.stall_angle[i]
     if excess > 0.0:
-        plate_l, plate_dl = sin(2.0 * a), 2.0 * cos(2.0 * a)
-        plate_d, plate_dd = model.C_D0[i] + 2.0 * sin(a) ** 2, 2.0 * sin(2.0 * a)
+        sa, ca = sin(a), cos(a)
+        plate_l, plate_dl = 2.0 * sa * ca, 2.0 * (ca * ca - sa * sa)
+        plate_d, plate_dd = model.C_D0[i] + 2.0 * sa * sa, 4.0 * sa * ca
         t = min(1.0, excess / STALL_WIDTH)
         s = t * t * (3.0 - 2.0 * t)
         ds = 6.0 * t * (1.0 - t) / STALL_WIDTH * (1.0 if a > 0.0 else -1.0)
@@ -58,7 +65,7 @@ def fin_coefficients(model, i, alpha):
     return c_l, c_d, d_l, d_d
 
 
-@jit
+@inline
 def fin_force(model, i, delta, nu_r):
     """(F_x, F_e, dF_x/ddelta, dF_e/ddelta): force of fin i along x_b and along its lift direction, N.
 
@@ -70,10 +77,9 @@ def fin_force(model, i, delta, nu_r):
     speed2 = u * u + v * v
     if speed2 < 1e-12:
         return 0.0, 0.0, 0.0, 0.0
-    c_l, c_d, d_l, d_d = fin_coefficients(model, i, delta - atan2(v, u))
-    speed = sqrt(speed2)
-    cb, sb = u / speed, v / speed
-    qa = 0.5 * model.rho * speed2 * model.fin_area[i]
+    c_l, c_d, d_l, d_d = fin_coefficients(model, i, delta - drift_angle(u, v))
+    qa = 0.5 * model.rho * sqrt(speed2) * model.fin_area[i]
+    cb, sb = u, v  # times the speed that q lacks: no division
     return (
         qa * (-c_d * cb - c_l * sb),
         qa * (-c_d * sb + c_l * cb),
@@ -96,7 +102,7 @@ def shaft_speed(model, i, thrust):
     return -sqrt(-thrust / model.T_nn_reverse[i])
 
 
-@jit
+@inline
 def thruster_force(model, i, n, nu_r):
     """(T, Q): thrust (N) and shaft torque (N m) of thruster i along its direction. Source: eq. (9)."""
     d = model.direction[i]
@@ -118,39 +124,56 @@ def add_force(model, i, fx, fy, fz, out):
     out[5] += x * fy - y * fx
 
 
-@jit
-def add_wrench(model, i, command, nu_r, share, out):
-    """Add `share` of the wrench of actuator i to out (6,), N and N m about O_b. Source: eq. (23)-(26).
+@inline
+def wrench_of(model, i, command, nu_r):
+    """(X, Y, Z, K, M, N) of actuator i, N and N m about O_b. Source: eq. (23)-(26).
 
     command: deflection (rad) or shaft speed (rev/s) as it is now; nu_r (6,) relative velocity.
     """
     ex, ey, ez = model.direction[i, 0], model.direction[i, 1], model.direction[i, 2]
+    x, y, z = model.position[i, 0], model.position[i, 1], model.position[i, 2]
     if model.kind[i] == FIN:
-        fx, fe, _, _ = fin_force(model, i, command, nu_r)
-        fx, fe = share * fx, share * fe
-        add_force(model, i, fx + fe * ex, fe * ey, fe * ez, out)
+        axial, force, _, _ = fin_force(model, i, command, nu_r)
+        torque = 0.0
     else:
-        thrust, torque = thruster_force(model, i, command, nu_r)
-        thrust, torque = share * thrust, share * torque
-        add_force(model, i, thrust * ex, thrust * ey, thrust * ez, out)
-        out[3] += torque * ex
-        out[4] += torque * ey
-        out[5] += torque * ez
+        force, torque = thruster_force(model, i, command, nu_r)
+        axial = 0.0
+    fx, fy, fz = axial + force * ex, force * ey, force * ez
+    return (
+        fx,
+        fy,
+        fz,
+        y * fz - z * fy + torque * ex,
+        z * fx - x * fz + torque * ey,
+        x * fy - y * fx + torque * ez,
+    )
 
 
 @jit
 def actuator_wrench(model, i, command, nu_r, out):
-    """Add the wrench of actuator i, all of it, to out (6,)."""
-    add_wrench(model, i, command, nu_r, 1.0, out)
+    """Add the wrench of actuator i to out (6,)."""
+    X, Y, Z, K, M, N = wrench_of(model, i, command, nu_r)
+    out[0] += X
+    out[1] += Y
+    out[2] += Z
+    out[3] += K
+    out[4] += M
+    out[5] += N
 
 
 @jit
 def total_wrench(model, u, effectiveness, nu_r, out):
-    """out (6,) = sum over actuators, each scaled by its effectiveness (1 = healthy)."""
-    for k in range(6):
-        out[k] = 0.0
+    """out (6,) = sum over actuators, each scaled by its effectiveness (1 = healthy).
+
+    Summed in six numbers, not in memory: the compiler then keeps them, and nu_r, in registers.
+    """
+    X = Y = Z = K = M = N = 0.0
     for i in range(model.n_u):
-        add_wrench(model, i, u[i], nu_r, effectiveness[i], out)
+        x, y, z, k, m, n = wrench_of(model, i, u[i], nu_r)
+        share = effectiveness[i]
+        X, Y, Z = X + share * x, Y + share * y, Z + share * z
+        K, M, N = K + share * k, M + share * m, N + share * n
+    out[0], out[1], out[2], out[3], out[4], out[5] = X, Y, Z, K, M, N
 
 
 @inline

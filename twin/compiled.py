@@ -59,10 +59,25 @@ _OPTIONS = {"nopython": True, "nogil": True, "error_model": "numpy"}
 
 
 def jit(function: Callable[..., Any]) -> Any:
-    """Compile on first call, without the GIL, cached on disk; NumPy's rules for division by zero."""
+    """Compile on first call, without the GIL, cached on disk; NumPy's rules for division by zero.
+
+    The function works on arrays that its caller holds and makes none (Numba refuses to compile one that
+    does), therefore no references are counted: an atomic addition and a call for every array and view.
+    """
+    return _made(function, {**_OPTIONS, "_nrt": False})
+
+
+def inline(function: Callable[..., Any]) -> Any:
+    """`jit` for the smallest functions, and those within a loop over actuators: a part of every caller."""
+    return _made(function, {**_OPTIONS, "_nrt": False, "forceinline": True})
+
+
+def allocating(function: Callable[..., Any]) -> Any:
+    """`jit` for the few functions that make or return arrays, and so must count references to them."""
+    return _made(function, _OPTIONS)
+
+
+def _made(function: Callable[..., Any], options: dict[str, Any]) -> Any:
     if Function is not None:
-        return Function(function, _OPTIONS)
-    return numba.njit(cache=True, nogil=True, error_model="numpy")(function)
-
-
-inline = jit  # the smallest functions, named so for the reader: LLVM puts them into their callers
+        return Function(function, options)
+    return numba.njit(cache=True, **options)(function)

@@ -9,10 +9,10 @@ that a neutrally buoyant body drifts with it.
 
 from math import cos, sin
 
-from twin.compiled import jit
+from twin.compiled import inline, jit
 
 
-@jit
+@inline
 def coriolis_force(M, nu, out):
     """Subtract C(nu) nu from out (6,), for any symmetric 6x6 inertia M. Source: Fossen 2021, eq. (3.46).
 
@@ -36,7 +36,7 @@ def coriolis_force(M, nu, out):
     out[5] -= u * a1 - v * a0 + p * b1 - q * b0
 
 
-@jit
+@inline
 def damping_force(model, nu_r, out):
     """Subtract D(nu_r) nu_r from out (6,): linear, quadratic (cross-flow) and body-lift damping."""
     u = nu_r[0]
@@ -53,7 +53,7 @@ def damping_force(model, nu_r, out):
         out[i] -= total
 
 
-@jit
+@inline
 def restoring_force(model, phi, theta, out):
     """Subtract g(eta) from out (6,). Source: Fossen 2021, eq. (4.6)."""
     W, B = model.weight, model.buoyancy
@@ -67,7 +67,7 @@ def restoring_force(model, phi, theta, out):
     out[5] += (rg[0] * W - rb[0] * B) * ct * sf + (rg[1] * W - rb[1] * B) * st
 
 
-@jit
+@inline
 def displaced_water_force(model, acceleration, out):
     """Add the Froude-Krylov force to out (6,): the pressure gradient of water accelerated by
     `acceleration` (3,), m/s^2 in body axes, acts on the displaced mass at the centre of buoyancy.

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from twin.actuators import actuator_wrench
-from twin.compiled import jit
+from twin.compiled import allocating
 from twin.envelope_hull import Envelope, Hull, direction_sphere, hull_of_points
 from twin.records import FIN, THRUSTER
 
@@ -67,7 +67,7 @@ def select(
     return chosen if kind is None else chosen[model["kind"][chosen] == kind]
 
 
-@jit
+@allocating
 def wrench_curves(model, surge_speed, commands, chosen):
     """Wrenches (len(chosen), levels, 6) of single actuators at commands (levels, n), N and N m.
 
@@ -82,7 +82,7 @@ def wrench_curves(model, surge_speed, commands, chosen):
     return curves
 
 
-@jit
+@allocating
 def _support_points(curves, directions):
     """Points (n, 3) of the Minkowski sum of the curves (actuators, levels, 3), outermost in each direction.
 

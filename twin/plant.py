@@ -39,8 +39,10 @@ def state_rate(model, truth, gust, effectiveness, time, x, command, rate, work):
     body_acceleration(model, eta, nu, nu_r, nu_c_dot, tau, force, rate[6:12])
     body_to_ned(phi, theta, psi, nu, rate)
     rate[3], rate[4], rate[5] = euler_rates(phi, theta, nu[3], nu[4], nu[5])
-    for i in range(8):
-        rate[12 + i] = lag_rate(model, i, command[i], u[i]) if i < model.n_u else 0.0
+    for i in range(model.n_u):
+        rate[12 + i] = lag_rate(model, i, command[i], u[i])
+    for i in range(model.n_u, 8):
+        rate[12 + i] = 0.0
 
 
 @jit

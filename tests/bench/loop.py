@@ -26,6 +26,9 @@ from twin.truth import TRUTH
 from twin.vehicle import Vehicle, load_vehicle
 
 STEPS, PEER_STEPS, DT = 20_000, 200, 0.01
+# REMUS flies the same helm in both simulators: rudder and stern planes in rad, shaft in rev/s
+_RUDDER, _STERN, _SHAFT = 0.05, 0.02, 15.0
+_HELM = (-_STERN, _RUDDER, _STERN, -_RUDDER, _SHAFT)  # of our four panels and propeller
 
 
 def closed_loop(vehicle: Vehicle, rounds: int) -> Iterator[Figure]:
@@ -83,9 +86,11 @@ def euler_steps(model, truth, x, command, dt, count, rate, gust, healthy, work):
         time += dt
 
 
-def _our_steps(name: str) -> Callable[[], None]:
+def _our_steps(name: str, helm: tuple[float, ...] = ()) -> Callable[[], None]:
+    """Steps from rest under held commands: `helm`, rad and rev/s, or 30 % of what each actuator can do."""
     model, truth, command = build_model(load_vehicle(name)), one(TRUTH), np.zeros(8)
     command[:] = 0.3 * model["command_max"]
+    command[: len(helm)] = helm
     rate, work, x = np.zeros(N_STATE), new_work(), np.zeros(N_STATE)
 
     def work_() -> None:
@@ -128,7 +133,7 @@ def _remus100(checkout: Path) -> Callable[[], None]:
         sys.modules[package.__name__] = package
     gnc = importlib.import_module("python_vehicle_simulator.lib.gnc")
     vehicle = importlib.import_module("python_vehicle_simulator.vehicles.remus100").remus100()
-    command = np.array([0.05, 0.02, 1200.0])
+    command = np.array([_RUDDER, _STERN, 60.0 * _SHAFT])
 
     def work() -> None:
         eta, nu, actual = np.zeros(6), np.array(vehicle.nu, float), np.zeros(3)
@@ -142,7 +147,7 @@ def _remus100(checkout: Path) -> Callable[[], None]:
 
 def one_step(rounds: int, checkout: Path | None) -> Iterator[Figure]:
     """One 6-DOF Euler step against peers."""
-    works = {"ts100": _our_steps("ts100"), "remus100": _our_steps("remus100"), "body": _our_body()}
+    works = {"ts100": _our_steps("ts100"), "remus100": _our_steps("remus100", _HELM), "body": _our_body()}
     peers: list[tuple[str, str, str, float]] = []
     try:
         works["auv_sim_bench"] = _auv_sim_bench()

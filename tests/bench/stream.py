@@ -10,7 +10,7 @@ from twin.allocation.mdca import allocate_mdca, allocation_cost, normal_equation
 from twin.allocation.qp_active_set import solve_active_set
 from twin.allocation.wrench_map import to_x, wrench_map
 from twin.clock import monotonic
-from twin.compiled import jit
+from twin.compiled import allocating, jit
 from twin.mission import Mission, parse_mission
 from twin.simulation import Twin
 from twin.vehicle import Vehicle
@@ -113,7 +113,8 @@ def _polish(model, p, lower, upper, x, tau, J, H, g, step, lb, ub, trial):
         if gain <= 0.0:
             break
         cost -= gain
-        x[:] = trial
+        for i in range(n):
+            x[i] = trial[i]
         if gain < 1e-13 * cost:
             break
     reach = 0.05
@@ -133,7 +134,7 @@ def _polish(model, p, lower, upper, x, tau, J, H, g, step, lb, ub, trial):
     return cost
 
 
-@jit
+@allocating
 def tight_optimum(model, problems, starts, best):
     """best (len(problems),): least cost found from the answer, the last command, rest and `starts` (s, 8)."""
     tau, J, H = np.zeros(6), np.zeros((6, 8)), np.zeros((8, 8))

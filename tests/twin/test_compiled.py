@@ -6,8 +6,10 @@ import sys
 from pathlib import Path
 
 import numpy as np
+import pytest
+from numba.core.errors import NumbaError
 
-from twin.compiled import jit
+from twin.compiled import allocating, jit
 
 ROOT = Path(__file__).parents[2]
 
@@ -57,3 +59,20 @@ def test_another_numba_compiles_in_its_own_way(tmp_path):
     (tmp_path / "probe.py").write_text(FALLBACK)
     environment = {**os.environ, "NUMBA_CACHE_DIR": str(tmp_path), "PYTHONPATH": str(ROOT)}
     subprocess.run([sys.executable, str(tmp_path / "probe.py")], check=True, env=environment)
+
+
+@jit
+def summed(count):
+    return np.ones(count).sum()
+
+
+@allocating
+def summed_on_the_heap(count):
+    return np.ones(count).sum()
+
+
+def test_only_functions_that_say_so_allocate():
+    """Protects: nothing in the control cycle takes memory, however long it flies: that does not compile."""
+    assert summed_on_the_heap(3) == 3.0
+    with pytest.raises(NumbaError):
+        summed(3)

@@ -30,7 +30,7 @@ from twin.allocation.qp_handle import (
 )
 from twin.allocation.qp_memory import carray, stack_floats, stack_ints
 from twin.allocation.qp_status import FALLBACK, SOLVED
-from twin.compiled import jit
+from twin.compiled import allocating, jit
 from twin.records import MAX_ACTUATORS
 
 _N = MAX_ACTUATORS
@@ -104,7 +104,7 @@ def start(handle, H, g, lb, ub, x, n, state):
     return -1
 
 
-@jit
+@allocating
 def right_guesses(handle, H, g, lb, ub):
     """For how many variables the handle's solver knows whether and which bound holds; -1000 if it failed."""
     exact, x, state = np.zeros(_N), np.zeros(_N), np.zeros(_N, np.int64)

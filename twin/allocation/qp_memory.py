@@ -11,7 +11,7 @@ from typing import Any
 from llvmlite import ir
 from numba import extending, types
 from numba.core import cgutils
-from numba.np.numpy_support import carray as carray
+from numba.np.arrayobj import make_array, populate_array
 
 intrinsic: Any = extending.intrinsic  # called without the typing context that its functions declare
 
@@ -50,6 +50,31 @@ def stack_ints(typingctx, count):
         return builder.bitcast(block, ir.IntType(64).as_pointer())
 
     return INT_P(count), codegen
+
+
+@intrinsic
+def carray(typingctx, pointer, shape):
+    """Array over the memory at `pointer`, of a shape (tuple of integers) and in C order.
+
+    As numba.carray, but also where no references are counted (see `twin.compiled.jit`).
+    """
+    if not isinstance(pointer, types.CPointer) or not isinstance(shape, types.BaseTuple):
+        return None
+    kind = types.Array(pointer.dtype, len(shape), "C")
+
+    def codegen(context, builder, signature, arguments):
+        array = make_array(kind)(context, builder)
+        sizes = zip(cgutils.unpack_tuple(builder, arguments[1]), signature.args[1], strict=True)
+        extent = [context.cast(builder, size, given, types.intp) for size, given in sizes]
+        item = context.get_constant(types.intp, context.get_abi_sizeof(context.get_data_type(kind.dtype)))
+        strides = [item]
+        for size in reversed(extent[1:]):
+            strides.insert(0, builder.mul(strides[0], size))
+        data = builder.bitcast(arguments[0], array.data.type)
+        populate_array(array, data=data, shape=extent, strides=strides, itemsize=item, meminfo=None)
+        return array._getvalue()
+
+    return kind(pointer, shape), codegen
 
 
 @intrinsic
