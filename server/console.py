@@ -14,11 +14,13 @@ from google.protobuf.message import Message
 from server.bus import Bus, NoAnswer
 from server.catalogue import Catalogue
 from server.data_dir import DataDir
+from server.disk_budget import DiskBudget
 from server.dispatch import Dispatcher
 from server.missions import Missions
 from server.node_command import node_command
 from server.presets import Presets
 from server.recorder import Recorder
+from server.run_summary import COMPLETE
 from server.sample import EVENT, Sample
 from server.settings import Settings
 from server.state import State
@@ -51,6 +53,12 @@ class Console:
             self._recorded,
             settings.recorder_queue_messages,
             settings.recorder_queue_bytes,
+            DiskBudget(
+                self.data.runs,
+                settings.runs_max_bytes,
+                settings.disk_free_bytes,
+                *([self._prune] if settings.runs_prune else []),
+            ),
         )
         self.stream = Stream(self.state)
         self.dispatcher = Dispatcher(self.state, self.status, self._on_link)
@@ -112,6 +120,7 @@ class Console:
             recording=run is not None,
             recording_run_id=run.id if run is not None else "",
             recorded_bytes=run.flushed_bytes if run is not None else 0,
+            recorder_trouble=self.recorder.trouble,
             recorder_dropped=self.recorder.dropped + self.dispatcher.dropped,
             node_restarts=self.supervisor.restarts,
             stream_clients=len(self.stream),
@@ -162,6 +171,15 @@ class Console:
             self.catalogue.add(path)
         except Exception:
             log.exception("%s could not be indexed", path)
+
+    def _prune(self) -> bool:
+        """Delete the oldest complete run; what was interrupted may be all there is of an accident."""
+        complete = [row.summary for row in self.catalogue.rows() if row.summary.state == COMPLETE]
+        if not complete or not self.catalogue.delete(complete[-1].id):
+            return False
+        text = f"Run {complete[-1].id} was deleted: runs may take {self.settings.runs_max_bytes} bytes"
+        self.say(pb.SEVERITY_WARNING, "run_deleted", text, {"run": complete[-1].id})
+        return True
 
     def _index(self) -> None:
         try:

@@ -4,13 +4,13 @@ It stands apart from the web's event loop, so a stalled page or a slow request d
 link's state nor the recorder, and it never waits for anything but its queue.
 """
 
-import threading
 import time
 from collections.abc import Callable
 
 from server.boxes import BoundedQueue
 from server.sample import STATUS, Sample
 from server.state import State
+from server.worker import Worker
 from twin.contract import bumpless_pb2 as pb
 
 MAX_ITEMS = 20_000
@@ -34,19 +34,19 @@ class Dispatcher:
             size=lambda item: len(item.payload) if isinstance(item, Sample) else 0,
             keep=lambda item: isinstance(item, bool),
         )
-        self._thread = threading.Thread(target=self._run, name="dispatch", daemon=True)
+        self._worker = Worker("dispatch", self._queue, self._handle, self._on_time, self._wait_s)
+        self._link = state.link
         self._said: pb.ServerStatus | None = None
         self._next_status = 0.0
 
     def start(self) -> None:
         """Begin to work off the queue."""
-        self._thread.start()
+        self._link = self._state.link
+        self._worker.start()
 
     def stop(self) -> None:
         """Work off what is queued and end."""
-        self._queue.close()
-        if self._thread.is_alive():
-            self._thread.join()
+        self._worker.stop()
 
     def sample(self, sample: Sample) -> None:
         """Enqueue a message; callable from any thread, never waits."""
@@ -61,27 +61,26 @@ class Dispatcher:
         """Messages lost because this thread was not given time to run."""
         return self._queue.dropped
 
-    def _run(self) -> None:
-        link = self._state.link
-        while not self._queue.closed:
-            for item in self._queue.take(self._wait_s()):
-                if isinstance(item, bool):
-                    self._state.set_alive(item)
-                    link = self._note_link(link)
-                else:
-                    self._state.feed(item)
-            link = self._note_link(link)
-            self._say_status()
+    def _handle(self, item: Item) -> None:
+        if isinstance(item, bool):
+            self._state.set_alive(item)
+            self._note_link()
+        else:
+            self._state.feed(item)
+
+    def _on_time(self) -> None:
+        self._note_link()
+        self._say_status()
 
     def _wait_s(self) -> float:
         waits = [self._next_status - time.monotonic(), self._state.next_link_change_s()]
         return max(0.0, min(wait for wait in waits if wait is not None))
 
-    def _note_link(self, before: pb.LinkState) -> pb.LinkState:
+    def _note_link(self) -> None:
         now = self._state.link
-        if now != before:
+        if now != self._link:
+            self._link = now
             self._on_link(now)
-        return now
 
     def _say_status(self) -> None:
         """Feed a ServerStatus each half second, and at once when something but time and age changed."""
@@ -99,5 +98,12 @@ def _same(one: pb.ServerStatus, other: pb.ServerStatus) -> bool:
     """Equal in all that is worth a message of its own."""
     return all(
         getattr(one, name) == getattr(other, name)
-        for name in ("link", "recording", "recording_run_id", "node_restarts", "stream_clients")
+        for name in (
+            "link",
+            "recording",
+            "recording_run_id",
+            "recorder_trouble",
+            "node_restarts",
+            "stream_clients",
+        )
     )

@@ -1,20 +1,22 @@
 """Records every run by itself: begins when the vehicle says RUNNING, ends when it says it has ended.
 
 Works on its own thread behind a bounded queue. A slow disk fills the queue, which then drops its
-oldest messages and counts them; the bus, the web and the vehicle never wait.
+oldest messages and counts them; the bus, the web and the vehicle never wait. A disk without room is not
+written to, and one that fails is tried again after longer and longer pauses; the operator is told of both.
 """
 
 import logging
-import threading
 import time
 from collections import deque
 from collections.abc import Callable
 from pathlib import Path
 
 from server.boxes import BoundedQueue
+from server.disk_budget import DiskBudget
 from server.run_file import RunFile
 from server.run_summary import COMPLETE, INTERRUPTED
 from server.sample import EVENT, Sample, stamp_of
+from server.worker import Worker
 from twin.contract import bumpless_pb2 as pb
 
 log = logging.getLogger(__name__)
@@ -22,7 +24,8 @@ log = logging.getLogger(__name__)
 FLUSH_S = 1.0
 PRE_ROLL = 1000  # messages kept while idle: a run's first cycles may precede its mission status
 SETTLE_S = 0.5  # after the end, for the rest of the last cycle
-RETRY_S = 5.0  # after a failing disk
+RETRY_S = 5.0  # after a disk without room, and the first time after a failing one
+MAX_RETRY_S = 300.0  # each try may leave a part of the run behind: twice as long each time, up to this
 MISSION = "tlm/mission"
 CONTEXT = ("tlm/description", "tlm/parameters", "tlm/plan")
 _ACTIVE = (pb.MISSION_PHASE_RUNNING, pb.MISSION_PHASE_PAUSED)
@@ -46,6 +49,7 @@ class Recorder:
         closed: Callable[[Path], None],
         queue_messages: int = 20_000,
         queue_bytes: int = 64_000_000,
+        budget: DiskBudget | None = None,
     ) -> None:
         self._folder, self._version, self._say, self._closed = folder, version, say, closed
         self._queue: BoundedQueue[Sample | _LinkLost] = BoundedQueue(
@@ -60,18 +64,29 @@ class Recorder:
         self._dropped_before = 0
         self._end: tuple[pb.MissionStatus, float] | None = None  # last status and when to close
         self._flush_at = 0.0
+        self._budget = budget or DiskBudget(folder)
+        self._lack = ""  # of room on the disk
+        self._failure = ""  # of the last write
+        self._told: set[tuple[str, str]] = set()  # what was said of which run
+        self._tried = ""  # the run that was recorded last, or should have been
         self._retry_at = 0.0
-        self._thread = threading.Thread(target=self._work, name="recorder", daemon=True)
+        self._retry_s = RETRY_S
+        self._worker = Worker(
+            "recorder",
+            self._queue,
+            lambda item: self._guard(self._handle, item),
+            lambda: self._guard(self._on_time),
+            self._wait_s,
+            self._close,
+        )
 
     def start(self) -> None:
         """Begin to listen for runs."""
-        self._thread.start()
+        self._worker.start()
 
     def stop(self) -> None:
         """Write what is queued, close the file of a run still going on and end."""
-        self._queue.close()
-        if self._thread.is_alive():
-            self._thread.join()
+        self._worker.stop()
 
     def offer(self, sample: Sample) -> None:
         """Take in a message; callable from any thread, never waits."""
@@ -88,15 +103,16 @@ class Recorder:
         return self._run
 
     @property
+    def trouble(self) -> str:
+        """Why a run is not or would not be recorded, for the operator; "" when all is well."""
+        return self._failure or self._lack
+
+    @property
     def dropped(self) -> int:
         """Messages that the disk was too slow for, since the server's start."""
         return self._queue.dropped
 
-    def _work(self) -> None:
-        while not self._queue.closed:
-            for item in self._queue.take(self._wait_s()):
-                self._guard(self._handle, item)
-            self._guard(self._on_time)
+    def _close(self) -> None:
         self._guard(self._finish_ended)
         self._guard(self._finish, INTERRUPTED, "the server was stopped")
 
@@ -107,13 +123,31 @@ class Recorder:
         except Exception as error:
             log.exception("the recorder failed")
             run, self._end = self._run, None
-            self._retry_at = time.monotonic() + RETRY_S
-            name = "the run" if run is None else run.id
-            self._say(pb.SEVERITY_ALARM, "recorder_failed", f"Recording of {name} failed: {error}", {})
+            self._failure = f"writing failed: {error}"
+            self._retry_at = time.monotonic() + self._retry_s
+            self._retry_s = min(2 * self._retry_s, MAX_RETRY_S)
+            self._complain("recorder_failed", self._tried)
             if run is not None:
                 run.abandon()
                 self._closed(run.path)
             self._run = None
+
+    def _complain(self, code: str, run_id: str) -> None:
+        """Say once of each run why it is not recorded, and of none why it would not be."""
+        if (code, run_id) in self._told:
+            return
+        self._told.add((code, run_id))
+        severity = pb.SEVERITY_ALARM if run_id else pb.SEVERITY_WARNING
+        what = f"Run {run_id} is not being recorded" if run_id else "Runs cannot be recorded"
+        self._say(severity, code, f"{what}: {self.trouble}", {"run": run_id})
+
+    def _has_room(self, run_id: str) -> bool:
+        """Is there room for this run, or for any ("")?"""
+        self._lack = self._budget.lack()
+        if self._lack:
+            self._retry_at = time.monotonic() + RETRY_S
+            self._complain("no_room_to_record", run_id)
+        return not self._lack
 
     def _wait_s(self) -> float | None:
         if self._run is None:
@@ -127,7 +161,9 @@ class Recorder:
             self._finish_ended()
         if self._run is not None and now >= self._flush_at:
             self._run.flush()
-            self._flush_at = now + FLUSH_S
+            self._flush_at, self._failure = now + FLUSH_S, ""
+            if self._end is None and not self._has_room(self._run.run_id):
+                self._finish(INTERRUPTED, self._lack)
 
     def _handle(self, item: Sample | _LinkLost) -> None:
         if isinstance(item, _LinkLost):
@@ -156,10 +192,15 @@ class Recorder:
                 run.status = status
                 return False
             self._finish(INTERRUPTED, f"run {status.run_id} began")
-            if time.monotonic() >= self._retry_at:
-                self._begin(status)
+            if status.run_id != self._tried or time.monotonic() >= self._retry_at:
+                self._tried = status.run_id
+                if self._has_room(status.run_id):
+                    self._begin(status)
             return self._run is not None
-        if run is not None and self._end is None:
+        if run is None and time.monotonic() >= self._retry_at:
+            self._retry_at = time.monotonic() + RETRY_S
+            self._has_room("")
+        elif run is not None and self._end is None:
             if status.run_id == run.run_id:
                 run.status = status
             self._end = (status, time.monotonic() + SETTLE_S)
@@ -172,6 +213,9 @@ class Recorder:
             if sample.topic not in CONTEXT and self._belongs(sample, status):
                 run.write(sample)
         self._flush_at = time.monotonic() + FLUSH_S
+        if any(told == status.run_id for _, told in self._told):
+            what = f"Run {status.run_id} is being recorded again, as {run.id}"
+            self._say(pb.SEVERITY_INFO, "recording_again", what, {"run": run.id})
         log.info("recording %s", run.path)
 
     def _belongs(self, sample: Sample, status: pb.MissionStatus) -> bool:
@@ -195,6 +239,9 @@ class Recorder:
             return
         try:
             run.finish(state, reason, self._queue.dropped - self._dropped_before)
+            if state == COMPLETE:
+                self._retry_s, self._failure = RETRY_S, ""
+                self._told.clear()
         finally:
             self._closed(run.path)
             self._run = None  # only now: a run is always either being recorded or in the catalogue

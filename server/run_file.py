@@ -42,15 +42,19 @@ class RunFile:
         self.messages = 0
         self._attached: set[str] = set()
         info = _run_info(self.id, status, context, version)
-        self._writer = LogWriter(self.path, info, ready=envelopes_ready)
+        writer = None
         try:
+            self._writer = writer = LogWriter(self.path, info, ready=envelopes_ready)
             began = status.stamp.time_ns - round(status.elapsed_s * 1e9)
             for sample in context.values():
                 if not _is_other_plan(sample, status):
                     self.write(sample, max(sample.receive_ns, began))
             self.flush()
         except BaseException:
-            self._writer.close()
+            with contextlib.suppress(Exception):
+                if writer is not None:
+                    writer.close()
+            self.path.unlink(missing_ok=True)  # nothing of the run itself is in it
             raise
 
     def write(self, sample: Sample, log_ns: int | None = None) -> None:

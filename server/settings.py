@@ -7,7 +7,7 @@ import shlex
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
-from pydantic import Field, SecretStr, ValidationError, field_validator
+from pydantic import Field, SecretStr, ValidationError, ValidationInfo, field_validator
 from pydantic_settings import BaseSettings, NoDecode, SettingsConfigDict
 
 from twin.contract import keys
@@ -61,6 +61,16 @@ class Settings(BaseSettings):
     recorder_queue_bytes: int = Field(
         default=64_000_000, ge=1, description="bytes that may wait for the disk"
     )
+    runs_max_bytes: int = Field(
+        default=0, ge=0, description="bytes that all recorded runs may take; 0 sets no limit"
+    )
+    runs_prune: bool = Field(
+        default=False,
+        description="with runs_max_bytes: delete the oldest complete runs to make room, else stop recording",
+    )
+    disk_free_bytes: int = Field(
+        default=200_000_000, ge=0, description="free bytes on the disk below which nothing is recorded"
+    )
     upload_bytes: int = Field(default=1_000_000, ge=1, description="largest mission file or preset accepted")
 
     @field_validator("zenoh_listen", "zenoh_connect", "allowed_hosts", mode="before")
@@ -85,6 +95,13 @@ class Settings(BaseSettings):
     def _token_is_long(cls, value: SecretStr | None) -> SecretStr | None:
         if value is not None and len(value.get_secret_value()) < 8:
             raise ValueError("must have at least 8 characters")
+        return value
+
+    @field_validator("runs_prune")
+    @classmethod
+    def _pruning_has_a_limit(cls, value: bool, info: ValidationInfo) -> bool:
+        if value and info.data.get("runs_max_bytes") == 0:
+            raise ValueError("needs runs_max_bytes: without a limit nothing is ever too much")
         return value
 
     @property

@@ -204,13 +204,16 @@ def parameters_status(active: pb.Parameters, revision: int) -> Messages:
     return [("tlm/parameters", status)]
 
 
-def server_status(link: pb.LinkState = pb.LINK_STATE_LIVE, recording: bool = False) -> Messages:
+def server_status(
+    link: pb.LinkState = pb.LINK_STATE_LIVE, recording: bool = False, trouble: str = ""
+) -> Messages:
     """What the server says of the link and the recorder."""
     status = pb.ServerStatus(
         vehicle_id="ts100",
         link=link,
         recording=recording,
         recording_run_id="20260101T000000Z-docking-ab12" if recording else "",
+        recorder_trouble=trouble,
         recorded_bytes=2_345_678 if recording else 0,
         server_version="0.1.0",
         node_managed=True,

@@ -86,6 +86,18 @@ def test_a_lost_link_is_a_banner(console: Page, server: ContractServer) -> None:
     expect(console.get_by_role("button", name="Start", exact=True)).to_be_disabled()
 
 
+def test_a_run_that_cannot_be_recorded_is_told_at_once(console: Page, server: ContractServer) -> None:
+    """Protects a flight whose log somebody counts on from passing unrecorded and unnoticed."""
+    why = "12 MB are free on the disk, fewer than 200 MB"
+    server.keep_saying(flight.server_status(trouble=why))
+    expect(console.get_by_text("Cannot record")).to_be_visible()
+    server.keep_saying([*in_flight(5.0), *flight.server_status(trouble=why)])
+    banner = console.get_by_role("alert").filter(has_text="This run is not being recorded")
+    expect(banner).to_contain_text(why)
+    server.keep_saying(in_flight(6.0))
+    expect(banner).to_have_count(0)
+
+
 def test_a_lost_server_is_a_banner_and_the_page_comes_back_by_itself(
     console: Page, server: ContractServer
 ) -> None:

@@ -1,11 +1,13 @@
 """The recorder against a disk that is slow, full or gone: it loses old messages, counts them, and goes on."""
 
 import threading
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
 
 from server import run_file
+from server.disk_budget import DiskBudget
 from server.log_read import log_messages
 from server.mcap_log import LogWriter
 from server.recorder import Recorder
@@ -29,14 +31,15 @@ def status(cycle: int, phase: int, run: str = "run-1", elapsed: float = 0.0, rea
 class Disk:
     """A recorder on a folder, and what it said and closed."""
 
-    def __init__(self, folder: Path, queue_messages: int = 1000) -> None:
+    def __init__(self, folder: Path, queue_messages: int = 1000, budget: DiskBudget | None = None) -> None:
         self.folder, self.said, self.closed = folder, [], []
-        self.file_closed = threading.Event()
-        self.recorder = Recorder(folder, "1", self._say, self._close, queue_messages)
+        self.file_closed, self.told = threading.Event(), threading.Event()
+        self.recorder = Recorder(folder, "1", self._say, self._close, queue_messages, budget=budget)
         self.recorder.start()
 
     def _say(self, _severity: int, code: str, _text: str, _details: dict) -> None:
         self.said.append(code)
+        self.told.set()
 
     def _close(self, path: Path) -> None:
         self.closed.append(path)
@@ -86,7 +89,6 @@ def test_a_failing_disk_is_told_and_the_next_run_is_recorded(
             super().write(topic, *rest)
 
     monkeypatch.setattr(run_file, "LogWriter", Full)
-    monkeypatch.setattr("server.recorder.RETRY_S", 0.0)
     disk = Disk(tmp_path)
     disk.recorder.offer(status(1, pb.MISSION_PHASE_RUNNING))
     disk.recorder.offer(sample("navigation", 2))
@@ -134,3 +136,70 @@ def test_stopping_the_server_closes_the_run(tmp_path: Path) -> None:
     disk.recorder.offer(status(1, pb.MISSION_PHASE_RUNNING))
     (run,) = disk.finished()
     assert (run.state, run.end_reason) == ("interrupted", "the server was stopped")
+
+
+class Clock:
+    """The recorder's clock, moved by the test."""
+
+    def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        self.now = 1000.0
+        monkeypatch.setattr("server.recorder.time", self)
+
+    def monotonic(self) -> float:
+        return self.now
+
+
+def test_a_disk_that_keeps_failing_is_tried_after_longer_and_longer_pauses(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Protects: a full disk got a new file every five seconds for ever, and an alarm with each."""
+    tries: list[float] = []
+
+    class Full(LogWriter):
+        def flush(self) -> None:
+            tries.append(clock.now)
+            raise OSError(28, "No space left on device")
+
+    clock = Clock(monkeypatch)
+    monkeypatch.setattr(run_file, "LogWriter", Full)
+    disk = Disk(tmp_path)
+    worker = disk.recorder._worker
+    for half_second in range(2400):  # twenty minutes of a vehicle saying that it flies
+        clock.now = 1000.0 + 0.5 * half_second
+        worker._handle(status(half_second, pb.MISSION_PHASE_RUNNING, elapsed=0.5 * half_second))
+    pauses = [later - earlier for earlier, later in pairwise(tries)]
+    assert pauses == [5, 10, 20, 40, 80, 160, 300, 300]
+    assert disk.said == ["recorder_failed"]
+    assert disk.recorder.trouble == "writing failed: [Errno 28] No space left on device"
+    assert not list(tmp_path.iterdir())
+
+
+def test_without_room_nothing_is_written_and_recording_goes_on_when_there_is_some(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Protects: what is on the disk is left alone; the operator is told once, and again when all is well."""
+
+    class Room(DiskBudget):
+        there = False
+
+        def lack(self) -> str:
+            return "" if self.there else "runs take 20 MB of the 20 MB they may"
+
+    clock, room = Clock(monkeypatch), Room(tmp_path)
+    disk = Disk(tmp_path, budget=room)
+    handle = disk.recorder._worker._handle
+    for second in range(60):
+        clock.now += 1.0
+        handle(status(20 * second, pb.MISSION_PHASE_RUNNING, elapsed=float(second)))
+    assert disk.said == ["no_room_to_record"] and not list(tmp_path.iterdir())
+    assert disk.recorder.trouble == "runs take 20 MB of the 20 MB they may"
+    room.there = True
+    clock.now += 5.0
+    handle(status(1300, pb.MISSION_PHASE_RUNNING, elapsed=65.0))
+    assert disk.said == ["no_room_to_record", "recording_again"] and disk.recorder.trouble == ""
+    room.there = False
+    clock.now += 1.0
+    disk.recorder._worker._on_time()
+    assert disk.recorder.recording is None
+    (run,) = disk.finished()
+    assert (run.state, run.end_reason) == ("interrupted", "runs take 20 MB of the 20 MB they may")

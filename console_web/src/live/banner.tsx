@@ -3,7 +3,7 @@ import { age } from "../lib/format";
 import { useFrame } from "../stream/frame";
 import { live } from "../stream/store";
 import { AlarmIcon, WarningIcon } from "../ui/icons";
-import { linkNow } from "./link_state";
+import { isFlying, linkNow } from "./link_state";
 
 export function Banner() {
   useFrame();
@@ -41,6 +41,16 @@ export function Banner() {
         <WarningIcon size={20} />
         <strong>Telemetry is late</strong>
         <span>Last value {age(live.age("tlm/navigation"))} ago.</span>
+      </div>
+    );
+  }
+  const mission = live.latest("tlm/mission");
+  if (status?.recorderTrouble && !status.recording && mission && isFlying(mission.phase)) {
+    return (
+      <div class="banner warning" role="alert">
+        <WarningIcon size={20} />
+        <strong>This run is not being recorded</strong>
+        <span>Reason: {status.recorderTrouble}. The vehicle flies on.</span>
       </div>
     );
   }

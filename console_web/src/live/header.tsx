@@ -88,6 +88,13 @@ function Recording() {
   }
   const on = Boolean(status?.recording);
   const lost = Number(status?.recorderDropped ?? 0n);
+  if (!on && status?.recorderTrouble) {
+    return (
+      <span class="chip recording" data-look="lost" role="status" title={`Runs are not being recorded: ${status.recorderTrouble}`}>
+        <AlarmIcon /> Cannot record
+      </span>
+    );
+  }
   return (
     <span
       class="chip recording"
