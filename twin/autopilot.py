@@ -12,6 +12,7 @@ from twin.allocation.bounds import any_active, command_bounds
 from twin.allocation.mdca import INFEASIBLE, REFUSED, allocate_mdca
 from twin.clock import monotonic
 from twin.compiled import jit
+from twin.effectiveness.step import believe_estimate, estimate_effectiveness, reset_estimator
 from twin.guidance import guide, observation_point
 from twin.navigation import navigate
 from twin.pid import demand, smooth_errors, tracking_error
@@ -52,17 +53,20 @@ def reset_autopilot(modes, plan, model, a):
     a.reference[2] = plan.start[2]
     a.reference[5] = plan.start[5]
     a.reference[0] = plan.start_speed
+    reset_estimator(a.estimator)
     a.sway = 1 if model.controllable[1] > 0.0 else 0
 
 
 @jit
 def believe_faults(settings, plan, a):
-    """Effectiveness as the allocator believes it: known when fault tolerant, nominal otherwise. a.fault_share
-    says how far a known fault is blended in."""
+    """Effectiveness as the allocator believes it: known or estimated when fault tolerant, nominal otherwise.
+    a.fault_share says how far a fault is blended in."""
     a.fault_share = 0.0
     for i in range(a.effectiveness.shape[0]):
         a.effectiveness[i] = 1.0
-    if settings.fault_tolerant == 1:
+    if settings.fault_tolerant == 1 and settings.estimate == 1:
+        believe_estimate(settings, a.effectiveness.shape[0], a)
+    elif settings.fault_tolerant == 1:
         for f in range(plan.n_faults):
             elapsed = a.time - plan.fault_time[f]
             if elapsed > 0.0:
@@ -125,6 +129,8 @@ def autopilot_step(handle, settings, modes, sensors, plan, model, m, a, w, chang
     begins without a mode switch. work: scratch, at least 9 floats.
     """
     navigate(settings, sensors, m, a, work)
+    if settings.estimate == 1:
+        estimate_effectiveness(settings, sensors, model, m, a)
     smooth_flow(settings, a)
     if m.fresh == 1:
         filter_detection(settings, a, m.detected)

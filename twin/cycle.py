@@ -38,13 +38,19 @@ def write_row(settings, plan, truth, model, plant, m, a, phase, row, work):
         row.tau_d[k], row.tau_plus[k], row.tau_minus[k] = a.tau_d[k], a.tau_plus[k], a.tau_minus[k]
         row.tau_c[k] = a.tau_c[k]
         row.slack[k] = a.slack[k]
+        row.unexplained[k] = a.estimator.x[k, 1]
         row.eta[k], row.nu[k], row.tau[k] = plant.eta[k], plant.nu[k], plant.tau[k]
         total += a.Q[k] * (a.tau_d[k] - a.tau_c[k]) ** 2
     row.residual_norm = total**0.5
+    row.faults = 0
     for i in range(model.n_u):
         row.u[i], row.u_feedback[i] = a.u[i], m.u_feedback[i]
         row.u_lower[i], row.u_upper[i], row.du_max[i] = a.u_lower[i], a.u_upper[i], a.du_max[i]
         row.effectiveness[i] = plant.effectiveness[i]
+        estimated = 1.0 - a.estimator.loss[i]
+        row.effectiveness_hat[i] = estimated if settings.estimate == 1 else a.effectiveness[i]
+        row.fault_evidence[i] = a.estimator.evidence[i]
+        row.faults |= a.estimator.faulty[i] << i
     observation_point(plan, a, row.observation_point)
     for k in range(3):
         row.nu_r_hat[k], row.current_hat[k] = a.flow[k], a.current[k]

@@ -26,9 +26,10 @@ class TwinEvent:
 
 
 class EventWriter:
-    """Collects events until they are drained."""
+    """Collects events until they are drained. actuators: their names, in the vehicle file's order."""
 
-    def __init__(self) -> None:
+    def __init__(self, actuators: tuple[str, ...] = ()) -> None:
+        self.actuators = actuators
         self._events: list[TwinEvent] = []
         self._told: dict[int, tuple[float, int]] = {}  # allocator status -> told at mission time, more since
 
@@ -92,7 +93,7 @@ def completed_event(out: EventWriter, row: np.ndarray) -> None:
 def eventful(log: np.ndarray) -> list[int]:
     """Rows of a LOG array that `row_events` has something to say about, against the row before."""
     changed = np.zeros(max(0, len(log) - 1), bool)
-    for name in ("mode", "detected", "leg", "status"):
+    for name in ("mode", "detected", "leg", "status", "faults"):
         changed |= log[name][1:] != log[name][:-1]
     return [int(k) for k in np.flatnonzero(changed) + 1]
 
@@ -129,6 +130,21 @@ def row_events(out: EventWriter, last: np.ndarray, row: np.ndarray, settings: np
         _leg_events(out, int(last["leg"]), int(row["leg"]), int(row["leg_count"]), time_s)
     if row["status"] != last["status"] and int(row["status"]) in _STATUS:
         out.allocator(int(row["status"]), time_s)
+    if row["faults"] != last["faults"]:
+        _fault_events(out, last, row, time_s)
+
+
+def _fault_events(out: EventWriter, last: np.ndarray, row: np.ndarray, time_s: float) -> None:
+    """An actuator that the autopilot has diagnosed, or that works again."""
+    for i, name in enumerate(out.actuators):
+        before, after = int(last["faults"]) >> i & 1, int(row["faults"]) >> i & 1
+        share = float(row["effectiveness_hat"][i])
+        details = {"actuator": name, "effectiveness": f"{share:.3f}"}
+        if after > before:
+            text = f"Fault detected: {name} at about {share:.2f} of its effect."
+            out.add("fault_detected", text, details, WARNING, time_s)
+        elif after < before:
+            out.add("fault_cleared", f"Fault cleared: {name} works again.", details, time_s=time_s)
 
 
 def _leg_events(out: EventWriter, before: int, after: int, count: int, time_s: float) -> None:

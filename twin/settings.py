@@ -38,6 +38,8 @@ def fill_settings(out: np.ndarray, vehicle: Vehicle, parameters: Parameters) -> 
     s["allocator"] = ALLOCATORS[alloc.allocator]
     s["sqp_iterations"], s["kkt_tolerance"] = alloc.sqp_iterations, alloc.kkt_tolerance
     s["fault_tolerant"], s["anti_windup"] = alloc.fault_tolerant, alloc.anti_windup_per_s
+    s["estimate"], s["fault_evidence"] = alloc.effectiveness == "estimated", alloc.fault_evidence
+    s["effectiveness_blend"] = alloc.effectiveness_blend_s
     s["increment_price"], s["direct_map"] = alloc.increment_price, DIRECT_MAPS[alloc.direct_map]
     s["degraded_map"], s["priority"], s["slack_price"] = alloc.degraded_map, alloc.priority, alloc.slack_price
     s["law"], s["look_ahead"], s["gamma"] = LAWS[guide.law], guide.look_ahead_m, guide.adaptation_gain

@@ -47,7 +47,7 @@ class Twin:
         self.mission: Mission | None = None
         self.phase: int = IDLE
         self.seed = 0
-        self.events = EventWriter()
+        self.events = EventWriter(tuple(actuator.name for actuator in vehicle.actuators))
         self._handles: dict[str, np.ndarray] = {}
         self._model, self._plant_model = build_model(vehicle), build_model(vehicle)
         self._settings, self._modes = one(records.SETTINGS), np.zeros(3, records.MODE_CONTROL)
@@ -94,7 +94,7 @@ class Twin:
         self._plant_model = self._model.copy()
         if alter is not None:
             alter(self._plant_model, self._truth[0])
-        tell(self._truth, self._plan)
+        tell(self._truth, self._plan, faults=self.parameters.allocation.effectiveness == "known")
         self._rng = np.random.Generator(np.random.PCG64(self.seed))
         place_plant(self._truth, self._sensors, self._plant, self._rng)
         observe_plant(self._plant_model, self._truth[0], self._plant[0], self._work)

@@ -72,11 +72,14 @@ def truth_of(mission: Mission, vehicle: Vehicle) -> np.ndarray:
     return out
 
 
-def tell(truth: np.ndarray, plan: np.ndarray) -> None:
+def tell(truth: np.ndarray, plan: np.ndarray, faults: bool = True) -> None:
     """Copy into the PLAN record what a vehicle is told of the TRUTH record (each shape (1,)).
 
     The start, and the faults as they are: in scenario S6 of Gao et al. 2026 the effectiveness is known, so it
-    must follow the drawn plant's. The autopilot looks at faults only with `allocation.fault_tolerant`.
+    must follow the drawn plant's. The autopilot looks at faults only with `allocation.fault_tolerant`; one
+    that estimates effectiveness (S7) is told of none.
     """
     for name in (*TOLD, *TOLD_OF_FAULTS):
         plan[0][name] = truth[0][name]
+    if not faults:
+        plan[0]["n_faults"] = 0

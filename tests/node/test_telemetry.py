@@ -66,6 +66,9 @@ def test_every_field_is_in_the_units_of_the_contract(vehicle: Vehicle, parameter
     for i, (said, actuator) in enumerate(zip(actuators.actuators, vehicle.actuators, strict=True)):
         assert (said.name, said.unit) == (actuator.name, actuator.unit)
         assert said.command == pytest.approx(row["u"][i] * per_si[actuator.unit])
+        assert said.effectiveness == row["effectiveness_hat"][i]
+        assert said.fault_evidence == row["fault_evidence"][i]
+        assert said.faulty == bool(int(row["faults"]) >> i & 1)
         assert said.increment_bound == pytest.approx(row["du_max"][i] * per_si[actuator.unit])
         assert (said.amplitude_lower, said.amplitude_upper) == (actuator.command_min, actuator.command_max)
 

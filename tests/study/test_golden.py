@@ -46,7 +46,7 @@ def test_proposition_1_increments(name: str, flight: Flight) -> None:
     assert figures_of(flight(name))["increment_violations"] == 0
 
 
-@pytest.mark.parametrize("name", ["S4", "S5", "S6"])
+@pytest.mark.parametrize("name", ["S4", "S5", "S6", "S7"])
 def test_proposition_1_demand_is_continuous(name: str, flight: Flight) -> None:
     """Protects: with the ramp on, tau_d never steps further than one cycle of the ramp allows."""
     assert figures_of(flight(name))["demand_step_violations"] == 0

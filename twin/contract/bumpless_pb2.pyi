@@ -237,7 +237,7 @@ class Allocation(_message.Message):
     def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., status: _Optional[_Union[SolveStatus, str]] = ..., sqp_iterations: _Optional[int] = ..., kkt_residual: _Optional[float] = ..., residual_norm: _Optional[float] = ..., cost: _Optional[float] = ..., solve_time_us: _Optional[float] = ..., saturated_count: _Optional[int] = ..., solver: _Optional[str] = ..., slack_norm: _Optional[float] = ...) -> None: ...
 
 class Actuator(_message.Message):
-    __slots__ = ("name", "unit", "command", "feedback", "lower", "upper", "amplitude_lower", "amplitude_upper", "saturated", "rate_limited", "increment_bound")
+    __slots__ = ("name", "unit", "command", "feedback", "lower", "upper", "amplitude_lower", "amplitude_upper", "saturated", "rate_limited", "increment_bound", "effectiveness", "fault_evidence", "faulty")
     NAME_FIELD_NUMBER: _ClassVar[int]
     UNIT_FIELD_NUMBER: _ClassVar[int]
     COMMAND_FIELD_NUMBER: _ClassVar[int]
@@ -249,6 +249,9 @@ class Actuator(_message.Message):
     SATURATED_FIELD_NUMBER: _ClassVar[int]
     RATE_LIMITED_FIELD_NUMBER: _ClassVar[int]
     INCREMENT_BOUND_FIELD_NUMBER: _ClassVar[int]
+    EFFECTIVENESS_FIELD_NUMBER: _ClassVar[int]
+    FAULT_EVIDENCE_FIELD_NUMBER: _ClassVar[int]
+    FAULTY_FIELD_NUMBER: _ClassVar[int]
     name: str
     unit: str
     command: float
@@ -260,7 +263,10 @@ class Actuator(_message.Message):
     saturated: bool
     rate_limited: bool
     increment_bound: float
-    def __init__(self, name: _Optional[str] = ..., unit: _Optional[str] = ..., command: _Optional[float] = ..., feedback: _Optional[float] = ..., lower: _Optional[float] = ..., upper: _Optional[float] = ..., amplitude_lower: _Optional[float] = ..., amplitude_upper: _Optional[float] = ..., saturated: _Optional[bool] = ..., rate_limited: _Optional[bool] = ..., increment_bound: _Optional[float] = ...) -> None: ...
+    effectiveness: float
+    fault_evidence: float
+    faulty: bool
+    def __init__(self, name: _Optional[str] = ..., unit: _Optional[str] = ..., command: _Optional[float] = ..., feedback: _Optional[float] = ..., lower: _Optional[float] = ..., upper: _Optional[float] = ..., amplitude_lower: _Optional[float] = ..., amplitude_upper: _Optional[float] = ..., saturated: _Optional[bool] = ..., rate_limited: _Optional[bool] = ..., increment_bound: _Optional[float] = ..., effectiveness: _Optional[float] = ..., fault_evidence: _Optional[float] = ..., faulty: _Optional[bool] = ...) -> None: ...
 
 class Actuators(_message.Message):
     __slots__ = ("stamp", "actuators")

@@ -9,6 +9,7 @@ from typing import Literal
 
 Allocator = Literal["mdca", "wls", "pid_direct"]
 Solver = Literal["osqp", "active_set", "daqp"]
+Effectiveness = Literal["known", "estimated"]
 DirectMap = Literal["thrust", "shaft_speed"]
 IntegralAtSwitch = Literal["keep", "rescale", "reset"]
 PathLaw = Literal["alos", "aalos_fossen2024"]
@@ -83,6 +84,9 @@ class AllocationParameters:
     sqp_iterations: int = 8
     kkt_tolerance: float = 1e-8  # of the projected gradient in bound-normalised commands
     fault_tolerant: bool = False  # allocate with the degraded map and softened constraints
+    effectiveness: Effectiveness = "known"  # told of faults, or estimating them from residuals
+    fault_evidence: float = 10.0  # log-likelihood ratio from which an estimated loss is a fault
+    effectiveness_blend_s: float = 2.0  # over which an estimated loss reaches the allocator
     anti_windup_per_s: float = 1.0  # feedback of the allocation residual into the integrals
     increment_price: float = 0.0  # weight of ||x - x_prev||^2, on bound-normalised commands
     shaft_smoothing: float = 0.0  # thrust share below which a screw is eased through zero

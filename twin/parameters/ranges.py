@@ -48,6 +48,8 @@ _FLAT = (
     Range("bumpless.ramp_increment_price", "1", 0.0, 1e6, "Price of increments as a ramp begins"),
     Range("allocation.sqp_iterations", "1", 1, 50, "SQP iterations per cycle"),
     Range("allocation.kkt_tolerance", "1", 1e-12, 1.0, "KKT residual that counts as solved"),
+    Range("allocation.fault_evidence", "1", 3.0, 1000.0, "Log-likelihood ratio that makes a fault"),
+    Range("allocation.effectiveness_blend_s", "s", 0.0, 60.0, "Blend of an estimated loss"),
     Range("allocation.anti_windup_per_s", "1/s", 0.0, 100.0, "Residual fed back into the integrals"),
     Range("allocation.increment_price", "1", 0.0, 1e6, "Price of increments"),
     Range("allocation.shaft_smoothing", "1", 0.0, 1.0, "Thrust share eased through zero"),

@@ -1,4 +1,4 @@
-"""Scenarios S1 to S6 of the paper on one plant and one reference set, and the variants shown beside them.
+"""Scenarios S1 to S6 of the paper and S7 on one plant and one reference set, and variants beside them.
 
 They differ in allocator, switching and fault handling only. The mission files `missions/s1*.yaml` to
 `s6*.yaml` are `mission_text` of these and a test holds them equal.
@@ -17,7 +17,7 @@ from twin.vehicle import Vehicle
 FAULT_TIME_S = 45.0
 Overrides = Mapping[str, Mapping[str, Any]]
 
-# Shared by all six: a target once seen is remembered for 30 s, and hover ends far enough out that a drifting
+# Shared by all: a target once seen is remembered for 30 s, and hover ends far enough out that a drifting
 # vehicle does not chatter between R and H.
 SHARED: Overrides = {"supervisor": {"detection_hold_cycles": 300, "range_rh_upper_m": 2.5}}
 HARD: Overrides = {
@@ -40,6 +40,7 @@ class Scenario:
     summary: str
     overrides: Overrides
     fault: bool = False
+    published: bool = True  # one of the paper's own
 
     @property
     def file(self) -> str:
@@ -105,6 +106,15 @@ _ALL = (
         merged(_allocator("mdca", fault_tolerant=True)),
         fault=True,
     ),
+    Scenario(
+        "S7",
+        "fault_estimated",
+        "S7: propeller fault, found by the autopilot",
+        "The same fault, but nobody tells: found and estimated from residuals while flying, then as in S6.",
+        merged(_allocator("mdca", fault_tolerant=True, effectiveness="estimated")),
+        fault=True,
+        published=False,
+    ),
 )
 SCENARIOS: dict[str, Scenario] = {s.name: s for s in _ALL}
 
@@ -129,6 +139,7 @@ VARIANTS: dict[str, Scenario] = {
         ),
         _variant("S3", "S3-keep", "S3, integral action K_I e_I kept in N", _integral("keep")),
         _variant("S3", "S3-reset", "S3, integrals reset to zero", _integral("reset")),
+        replace(SCENARIOS["S7"], name="S7-healthy", title="S7 without the fault", fault=False),
     )
 }
 
@@ -162,8 +173,13 @@ def mission_text(scenario: Scenario) -> str:
     if scenario.fault:
         fault = {"actuator": "n_p", "at_s": FAULT_TIME_S, "effectiveness": 0.4, "blend_s": 2.0}
         tail = {"faults": [fault], **tail}
+    origin = (
+        "One of the six scenarios of Gao et al. 2026, table 5:"
+        if scenario.published
+        else "Beside the six scenarios of Gao et al. 2026, table 5:"
+    )
     about = (
-        "# One of the six scenarios of Gao et al. 2026, table 5: one plant, one set of references.\n"
+        f"# {origin} one plant, one set of references.\n"
         "# Written by twin.study.scenarios; a test holds the two equal.\n"
     )
     return f"{about}{_yaml(head)}\n{REFERENCE}\n{_yaml(tail)}"

@@ -145,6 +145,9 @@ def _actuators(r: _Row, stamp: pb.Stamp, context: Context) -> pb.Actuators:
     )
     for said, a, numbers in zip(out.actuators, context.actuators, columns, strict=False):
         _actuator(said, a, *(number * a.scale for number in numbers))
+    faults, shares, evidences = int(r.one("faults")), r.all("effectiveness_hat"), r.all("fault_evidence")
+    for i, (said, share, evidence) in enumerate(zip(out.actuators, shares, evidences, strict=False)):
+        said.effectiveness, said.fault_evidence, said.faulty = share, evidence, bool(faults >> i & 1)
     return out
 
 

@@ -46,9 +46,13 @@ function Row({ actuator: a }: { actuator: Actuator }) {
     `${a.name}: command ${fixed(a.command, decimals)}, feedback ${fixed(a.feedback, decimals)} ${unit}; ` +
     `bounds ${fixed(a.amplitudeLower, decimals)} to ${fixed(a.amplitudeUpper, decimals)}, ` +
     `now ${fixed(a.lower, decimals + 1)} to ${fixed(a.upper, decimals + 1)}`;
+  const share = a.effectiveness !== undefined && a.effectiveness < 0.995 ? a.effectiveness : undefined;
   return (
-    <li class="actuator" data-state={state} title={about}>
-      <span class="actuator-name">{a.name}</span>
+    <li class="actuator" data-state={state} title={share === undefined ? about : `${about}; effectiveness ${fixed(share, 2)}`}>
+      <span class="actuator-name">
+        {a.name}
+        {share !== undefined && <span class="actuator-share num">{fixed(100 * share, 0)} %</span>}
+      </span>
       <span class="travel">
         <i class="travel-window" style={window} />
         <i class="travel-zero" style={{ left: `${at(0)}%` }} />
