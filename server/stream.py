@@ -70,9 +70,9 @@ class ClientBuffer:
         await self._filled.wait()
 
 
-def frame_of(samples: list[Sample]) -> bytes:
+def frame_of(samples: list[Sample], past: bool = False) -> bytes:
     """A StreamFrame with the samples' own bytes."""
-    frame = pb.StreamFrame(server_time_ns=time.time_ns())
+    frame = pb.StreamFrame(server_time_ns=time.time_ns(), past=past)
     for sample in samples:
         frame.messages.add(
             topic=sample.topic,
@@ -136,7 +136,7 @@ class Stream:
         loop = asyncio.get_running_loop()
         try:
             for cycle in self.past():
-                await send(frame_of(cycle))
+                await send(frame_of(cycle, past=True))
             while True:
                 await client.wait()
                 await asyncio.sleep(GATHER_S)

@@ -113,10 +113,10 @@ class ContractServer:
         """What to answer from now on to `method` of `path` (without the leading "/api/")."""
         self.replies[(method, path)] = (status, body)
 
-    def say(self, messages: Messages, age_s: float = 0.0) -> None:
+    def say(self, messages: Messages, age_s: float = 0.0, past: bool = False) -> None:
         """Push one frame to every browser; `age_s`: how long ago the server received these messages."""
         said = list(messages)
-        self._loop.call_soon_threadsafe(self._push, said, age_s)
+        self._loop.call_soon_threadsafe(self._push, said, age_s, past)
 
     def keep_saying(self, messages: Messages) -> None:
         """Push these at 20 Hz from now on, as a vehicle does that does not change."""
@@ -128,8 +128,8 @@ class ContractServer:
             self._push(self._steady, 0.0)
         self._loop.call_later(BEAT_S, self._beat)
 
-    def _push(self, messages: Messages, age_s: float) -> None:
-        frame = pb.StreamFrame(server_time_ns=NOW_NS)
+    def _push(self, messages: Messages, age_s: float, past: bool = False) -> None:
+        frame = pb.StreamFrame(server_time_ns=NOW_NS, past=past)
         for topic, message in messages:
             frame.messages.add(
                 topic=topic,

@@ -113,6 +113,30 @@ def test_a_lost_server_is_a_banner_and_the_page_comes_back_by_itself(
     expect(console.get_by_label("Link: Live")).to_be_visible()
 
 
+def test_plots_keep_what_they_have_over_a_reconnect(console: Page, server: ContractServer) -> None:
+    """Protects: the server's past fills what was missed; it took the place of all that the page had."""
+    depth = console.get_by_test_id("plot-depth")
+    server.keep_saying([])
+    for quarter in range(120):
+        server.say(flight.cycle(0.25 * quarter))
+    expect(depth).to_contain_text("3.05")  # at 29.75 s
+    server.stop()
+    expect(console.get_by_role("alert").filter(has_text="Connection to the server lost")).to_be_visible()
+    server.start()
+    expect(console.get_by_label("Link: Live")).to_be_visible()
+    for quarter in range(80, 160):
+        server.say(flight.cycle(0.25 * quarter), age_s=40.0 - 0.25 * quarter, past=True)
+    server.say(flight.cycle(40.0))
+    expect(depth).to_contain_text("3.01")
+    box = console.get_by_label("Depth over time").locator(".u-over").bounding_box()
+    assert box is not None
+    for time_s in (6.75, 33.66):  # kept, filled in: two of the lowest points of a sine
+        console.mouse.move(box["x"] + time_s / 40.0 * box["width"], box["y"] + box["height"] / 2)
+        expect(depth).to_contain_text("2.95")
+        console.mouse.move(0, 0)
+        expect(depth).to_contain_text("3.01")
+
+
 def test_events_come_newest_first_and_once(console: Page, server: ContractServer) -> None:
     """Protects the log's order and its severities; a repeated event is not listed twice."""
     early = flight.event(24.0, pb.SEVERITY_INFO, "mode_switch", "Forward to reverse.")

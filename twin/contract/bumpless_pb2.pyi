@@ -637,12 +637,14 @@ class StreamMessage(_message.Message):
     def __init__(self, topic: _Optional[str] = ..., schema: _Optional[str] = ..., payload: _Optional[bytes] = ..., receive_time_ns: _Optional[int] = ...) -> None: ...
 
 class StreamFrame(_message.Message):
-    __slots__ = ("server_time_ns", "messages")
+    __slots__ = ("server_time_ns", "messages", "past")
     SERVER_TIME_NS_FIELD_NUMBER: _ClassVar[int]
     MESSAGES_FIELD_NUMBER: _ClassVar[int]
+    PAST_FIELD_NUMBER: _ClassVar[int]
     server_time_ns: int
     messages: _containers.RepeatedCompositeFieldContainer[StreamMessage]
-    def __init__(self, server_time_ns: _Optional[int] = ..., messages: _Optional[_Iterable[_Union[StreamMessage, _Mapping]]] = ...) -> None: ...
+    past: bool
+    def __init__(self, server_time_ns: _Optional[int] = ..., messages: _Optional[_Iterable[_Union[StreamMessage, _Mapping]]] = ..., past: _Optional[bool] = ...) -> None: ...
 
 class ServerStatus(_message.Message):
     __slots__ = ("time_ns", "vehicle_id", "link", "telemetry_age_s", "recording", "recording_run_id", "recorded_bytes", "recorder_dropped", "node_restarts", "stream_clients", "server_version", "node_managed", "recorder_trouble")

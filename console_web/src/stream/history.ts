@@ -22,8 +22,8 @@ export class History {
   private unwrapped: Record<string, number> = {};
 
   constructor(store: LiveStore) {
-    store.onChange((changed) => {
-      if (changed.has("tlm/navigation")) this.append(store);
+    store.onChange((changed, past) => {
+      if (changed.has("tlm/navigation")) this.append(store, past);
     });
   }
 
@@ -31,12 +31,13 @@ export class History {
     return this.time.at(-1) ?? NaN;
   }
 
-  private append(store: LiveStore): void {
+  /** The past that a new connection begins with fills what was missed, and leaves alone what is here. */
+  private append(store: LiveStore, past: boolean): void {
     const nav = store.latest("tlm/navigation");
     if (!nav?.stamp) return;
     const time = Number(nav.stamp.timeNs) / 1e9;
     const previous = this.last();
-    if (time === previous) return;
+    if (time === previous || (past && time < previous)) return;
     if (time < previous) this.clear();
     // A simulated vehicle is put at the start of its mission: that jump is no motion.
     const phase = store.latest("tlm/supervisor")?.phase || store.latest("tlm/mission")?.phase;

@@ -11,6 +11,9 @@ interface Sample {
   born: number;
 }
 
+/** `past`: the frame is from before this connection, now and then a cycle, for the plots. */
+type Listener = (changed: ReadonlySet<TopicName>, past: boolean) => void;
+
 export type Connection = "connecting" | "open" | "lost";
 
 const EVENTS_KEPT = 400;
@@ -27,7 +30,7 @@ export class LiveStore {
   events: Event[] = [];
   private readonly seen = new Set<string>();
   private readonly samples = new Map<TopicName, Sample>();
-  private readonly listeners = new Set<(changed: ReadonlySet<TopicName>) => void>();
+  private readonly listeners = new Set<Listener>();
 
   latest<K extends TopicName>(name: K): MessageOf<K> | undefined {
     return this.samples.get(name)?.message as MessageOf<K> | undefined;
@@ -45,7 +48,7 @@ export class LiveStore {
   }
 
   /** Called once per received frame with the topics that changed. */
-  onChange(listener: (changed: ReadonlySet<TopicName>) => void): () => void {
+  onChange(listener: Listener): () => void {
     this.listeners.add(listener);
     return () => this.listeners.delete(listener);
   }
@@ -65,7 +68,7 @@ export class LiveStore {
         this.addEvent(fromBinary(EventSchema, payload));
       }
     }
-    for (const listener of this.listeners) listener(changed);
+    for (const listener of this.listeners) listener(changed, frame.past);
     invalidate();
   }
 
