@@ -9,6 +9,7 @@ from fastapi.concurrency import run_in_threadpool
 
 from server import errors
 from server.auth import Auth
+from server.body_limit import BodyLimit
 from server.console import Console
 from server.guard import Guard
 from server.routes import missions, page, parameters, runs, status, stream
@@ -36,6 +37,7 @@ def create_app(settings: Settings, console: Console | None = None) -> FastAPI:
     app = FastAPI(title="Bumpless", version=console.version, lifespan=lifespan, docs_url=None, redoc_url=None)
     app.state.console = console
     app.state.auth = auth = Auth(settings, console.data.secret())
+    app.add_middleware(BodyLimit, max_bytes=settings.upload_bytes)
     app.add_middleware(Guard, auth=auth)
     errors.install(app)
     for part in (status, missions, parameters, runs, stream):

@@ -24,9 +24,8 @@ class Refusal(Exception):
         self.status, self.detail, self.problems, self.more = status, detail, list(problems), more
 
 
-def _answer(
-    status: int, detail: str, problems: Iterable[Mapping[str, Any]] = (), **more: Any
-) -> JSONResponse:
+def answer(status: int, detail: str, problems: Iterable[Mapping[str, Any]] = (), **more: Any) -> JSONResponse:
+    """A refusal in the one shape that the console reads."""
     content = {"detail": detail, "problems": list(problems), **more}
     return JSONResponse(content, status, media_type="application/problem+json" if status >= 400 else None)
 
@@ -36,11 +35,11 @@ def install(app: FastAPI) -> None:
 
     @app.exception_handler(Refusal)
     async def refusal(_request: Request, error: Refusal) -> JSONResponse:
-        return _answer(error.status, error.detail, error.problems, **error.more)
+        return answer(error.status, error.detail, error.problems, **error.more)
 
     @app.exception_handler(HTTPException)
     async def http(_request: Request, error: HTTPException) -> JSONResponse:
-        return _answer(error.status_code, str(error.detail))
+        return answer(error.status_code, str(error.detail))
 
     @app.exception_handler(RequestValidationError)
     async def invalid(_request: Request, error: RequestValidationError) -> JSONResponse:
@@ -48,22 +47,22 @@ def install(app: FastAPI) -> None:
             Problem("", None, None, ".".join(map(str, fault["loc"][1:])), fault.get("input"), fault["msg"])
             for fault in error.errors()
         ]
-        return _answer(422, "the request is not valid", [problem.as_dict() for problem in problems])
+        return answer(422, "the request is not valid", [problem.as_dict() for problem in problems])
 
     @app.exception_handler(ProblemsError)
     async def problems(_request: Request, error: ProblemsError) -> JSONResponse:
         count = len(error.problems)
         detail = str(error.problems[0]) if count == 1 else f"{count} problems were found"
-        return _answer(422, detail, [problem.as_dict() for problem in error.problems])
+        return answer(422, detail, [problem.as_dict() for problem in error.problems])
 
     @app.exception_handler(BadName)
     async def bad_name(_request: Request, error: BadName) -> JSONResponse:
-        return _answer(422, str(error), [Problem("", None, None, "name", None, str(error)).as_dict()])
+        return answer(422, str(error), [Problem("", None, None, "name", None, str(error)).as_dict()])
 
     @app.exception_handler(MissionExists)
     async def exists(_request: Request, error: MissionExists) -> JSONResponse:
-        return _answer(409, str(error))
+        return answer(409, str(error))
 
     @app.exception_handler(NoAnswer)
     async def no_answer(_request: Request, error: NoAnswer) -> JSONResponse:
-        return _answer(503, str(error), accepted=False, reason=str(error))
+        return answer(503, str(error), accepted=False, reason=str(error))

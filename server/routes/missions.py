@@ -25,15 +25,11 @@ class Start(BaseModel):
     operator: str = Field("", max_length=80)
 
 
-async def limited_text(request: Request, limit: int) -> str:
-    """The request's body as text, refused before it is all in memory when it is too long."""
-    received = bytearray()
-    async for part in request.stream():
-        received += part
-        if len(received) > limit:
-            raise Refusal(413, f"must have at most {limit} bytes")
+async def text_of(request: Request) -> str:
+    """The request's body as text; its length is bounded for all requests alike."""
+    body = await request.body()
     try:
-        return received.decode("utf-8")
+        return body.decode("utf-8")
     except UnicodeDecodeError as error:
         raise Refusal(422, f"must be UTF-8 text; byte {error.start} is not") from error
 
@@ -67,7 +63,7 @@ def mission(console: Served, name: str) -> dict[str, Any]:
 @router.post("/missions", status_code=201)
 async def upload(console: Served, request: Request, name: str, replace: bool = False) -> JSONResponse:
     """Check and keep a mission file, sent as the body's text."""
-    text = await limited_text(request, console.settings.upload_bytes)
+    text = await text_of(request)
     file = await run_in_threadpool(console.missions.save, name, text, replace)
     return JSONResponse(file.as_dict(with_text=True), 201, {"location": f"/api/missions/{file.name}"})
 

@@ -9,14 +9,14 @@ from fastapi.concurrency import run_in_threadpool
 from server import tuning
 from server.errors import Refusal
 from server.routes import Served
-from server.routes.missions import carry_out, limited_text
+from server.routes.missions import carry_out, text_of
 from twin.contract import bumpless_pb2 as pb
 
 router = APIRouter(prefix="/api")
 
 
-async def _body(console: Served, request: Request) -> Any:
-    text = await limited_text(request, console.settings.upload_bytes)
+async def _body(request: Request) -> Any:
+    text = await text_of(request)
     try:
         return json.loads(text)
     except (ValueError, RecursionError) as error:
@@ -41,7 +41,7 @@ def parameters(console: Served) -> dict[str, Any]:
 @router.put("/parameters")
 async def change(console: Served, request: Request) -> dict[str, Any]:
     """Ask the vehicle to fly with these, all of them."""
-    given = await _body(console, request)
+    given = await _body(request)
 
     def ask() -> dict[str, Any]:
         return carry_out(console, "set_parameters", tuning.parse(given, console.vehicle()))
@@ -67,7 +67,7 @@ def preset(console: Served, name: str) -> dict[str, Any]:
 @router.put("/presets/{name}")
 async def save(console: Served, request: Request, name: str) -> dict[str, Any]:
     """Keep or replace a preset: a whole set of parameters within the present vehicle's ranges."""
-    given = await _body(console, request)
+    given = await _body(request)
 
     def keep() -> dict[str, Any]:
         # What is kept is what was understood: {"parameters": {...}} as read, or the object itself.
