@@ -11,7 +11,7 @@ noise of the measurement is learnt from the innovations, for it may be louder th
 
 from math import exp, isfinite
 
-from twin.actuators import add_wrench
+from twin.actuators import actuator_wrench
 from twin.compiled import inline, jit
 from twin.dynamics import coriolis_force, damping_force, restoring_force
 from twin.effectiveness.record import (
@@ -56,7 +56,7 @@ def model_forces(model, m, a, e):
     for i in range(model.n_u):
         for k in range(6):
             e.wrench[i, k] = 0.0
-        add_wrench(model, i, m.u_feedback[i], e.nu_r, 1.0, e.wrench[i])
+        actuator_wrench(model, i, m.u_feedback[i], e.nu_r, e.wrench[i])
         for k in range(6):
             e.force[k] += (1.0 - e.loss[i]) * e.wrench[i, k]
     for k in range(6):
