@@ -25,7 +25,7 @@ run: $(DONE)/compiled console  ## install what is missing, start server and vehi
 test: $(DONE)/compiled $(DONE)/dev console chromium  ## the whole suite, browser included (ARGS="-k docking")
 	@$(BIN)/pytest $(ARGS)
 
-check: check-style check-imports check-types check-results check-console check-containers check-gen check-leaks  ## lint, types, import rules, generated files, containers, leaks
+check: check-style check-imports check-types check-results check-figures check-console check-containers check-gen check-leaks  ## lint, types, import rules, generated files, containers, leaks
 
 check-style: $(DONE)/dev
 	$(BIN)/ruff check --quiet .
@@ -47,6 +47,9 @@ check-containers: $(DONE)/dev
 check-results: $(DONE)/dev $(DONE)/project
 	@$(PY) -m server.cli.readme_results --check
 
+check-figures: $(DONE)/dev $(DONE)/project
+	@$(PY) -m tests.bench.render --check
+
 check-gen: $(DONE)/dev
 	@before=$$(cat $(GENERATED) | cksum) && $(MAKE) --no-print-directory gen && \
 	after=$$(cat $(GENERATED) | cksum) && if [ "$$before" != "$$after" ]; then \
@@ -67,9 +70,10 @@ results: $(DONE)/compiled  ## reproduce the paper and renew the README's results
 	$(BIN)/bumpless reproduce --out build/reproduce
 	@$(PY) -m server.cli.readme_results build/reproduce/reproduce.json
 
-bench: $(DONE)/compiled $(DONE)/dev $(DONE)/bench console  ## measure simulation, allocation and the live loop (MINUTES=10)
-	$(BIN)/bumpless run missions/docking.yaml
-	$(PY) -m tests.bench.alloc_peers
+bench: $(DONE)/compiled $(DONE)/dev $(DONE)/bench console  ## measure every speed beside its peers (ARGS="--check", "--live 1")
+	$(PY) -m tests.bench $(ARGS)
+
+bench-live: $(DONE)/compiled $(DONE)/dev console  ## a live node beside a loaded server (MINUTES=10)
 	$(PY) -m tests.bench.live_node --minutes $(MINUTES) --streams 5
 
 format: $(DONE)/dev  ## let ruff format and sort imports
@@ -133,4 +137,4 @@ $(DONE)/compiled: $(DONE)/project $(TWIN)
 	@touch $@
 
 .PHONY: help run test check check-style check-imports check-types check-console check-containers check-gen \
-	check-leaks check-results gen results bench bench-live format console chromium lock clean
+	check-leaks check-results check-figures gen results bench bench-live format console chromium lock clean

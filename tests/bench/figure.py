@@ -2,7 +2,7 @@
 
 import time
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 
 import numpy as np
 
@@ -21,6 +21,13 @@ class Figure:
     met: bool | None = None
     ratio: bool = False
     better: str = "higher"
+
+    def reached(self, value: float) -> bool:
+        """Whether `value` would meet this figure's goal; a figure without one is content with any."""
+        if not self.goal:
+            return True
+        sign, limit = self.goal.split()
+        return {"≥": value >= float(limit), "≤": value <= float(limit), "<": value < float(limit)}[sign]
 
     def as_json(self) -> dict:
         """Plain values for the file of figures."""
@@ -45,15 +52,11 @@ def figure(
 ) -> Figure:
     """Median and quartiles of `values`; the goal, if there is one, is tested on the median."""
     low, value, high = (float(v) for v in np.percentile(np.asarray(values, float), [25, 50, 75]))
-    goal, met = "", None
-    if at_least is not None:
-        goal, met = f"≥ {at_least:g}", value >= at_least
-    elif at_most is not None:
-        goal, met = f"≤ {at_most:g}", value <= at_most
-    elif below is not None:
-        goal, met = f"< {below:g}", value < below
+    limits = {"≥": at_least, "≤": at_most, "<": below}
+    goal = next((f"{sign} {limit:g}" for sign, limit in limits.items() if limit is not None), "")
     better = better or ("higher" if at_least is not None else "lower")
-    return Figure(key, title, value, low, high, unit, goal, None if met is None else bool(met), ratio, better)
+    made = Figure(key, title, value, low, high, unit, goal, None, ratio, better)
+    return replace(made, met=made.reached(value)) if goal else made
 
 
 def cpu_seconds(work: Callable[[], object]) -> float:

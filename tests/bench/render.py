@@ -24,16 +24,21 @@ def table(measured: dict) -> str:
     return "\n".join(lines)
 
 
+def page_of(page: str, measured: dict) -> str:
+    """`page` with its table made anew."""
+    head, rest = page.split(BEGIN)
+    return f"{head}{BEGIN}\n{table(measured)}\n{END}{rest.split(END)[1]}"
+
+
 def main() -> int:
     """Rewrite the page, or with --check say whether it is out of step."""
     before = PAGE.read_text(encoding="utf-8")
-    head, rest = before.split(BEGIN)
-    tail = rest.split(END)[1]
-    made = table(json.loads(FIGURES.read_text(encoding="utf-8")))
-    after = f"{head}{BEGIN}\n{made}\n{END}{tail}"
-    if "--check" in sys.argv[1:]:
-        return int(after != before)
-    PAGE.write_text(after, encoding="utf-8")
+    after = page_of(before, json.loads(FIGURES.read_text(encoding="utf-8")))
+    if "--check" not in sys.argv[1:]:
+        PAGE.write_text(after, encoding="utf-8")
+    elif after != before:
+        print("docs/performance.md is not what tests/bench/figures.json says: python -m tests.bench.render")
+        return 1
     return 0
 
 
