@@ -6,9 +6,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.node.flying import START_NS, Flying
+from tests.node.flying import MISSIONS, START_NS, Flying
 from twin.contract import bumpless_pb2 as pb
 from twin.contract.keys import TOPICS
+from twin.mission import parse_mission
 from twin.parameters import Parameters, default_parameters
 from twin.records import LOG
 from twin.telemetry import FlightState, Teller, make_context, messages
@@ -164,3 +165,36 @@ def test_the_elapsed_time_of_a_run_stops_with_it() -> None:
     said = [message for topic, message in told if topic == "tlm/mission"]
     over = [message.elapsed_s for message in said if message.phase == pb.MISSION_PHASE_ABORTED]
     assert len(over) > 1 and len(set(over)) == 1 and over[0] > 0
+
+
+def test_a_pause_moves_the_limit_of_the_elapsed_time(vehicle: Vehicle, parameters: Parameters) -> None:
+    """Protects: after a pause the screen showed more elapsed time than the mission could last."""
+    mission = parse_mission((MISSIONS / "docking.yaml").read_text(), "docking.yaml", vehicle)
+    state = FlightState(parameters, 1, mission, "run-1", 0)
+    teller = Teller(vehicle, parameters)
+    row = np.zeros(1, LOG)[0]
+    said: list[pb.MissionStatus] = []
+
+    def fly(seconds: float, phase: int) -> None:
+        for _ in range(round(seconds / vehicle.control_period_s)):
+            row["cycle"] += 1
+            row["time"] = vehicle.control_period_s * row["cycle"]
+            row["phase"] = phase
+            said.extend(m for _, m in teller.tell(row, state) if isinstance(m, pb.MissionStatus))
+
+    fly(10.0, pb.MISSION_PHASE_RUNNING)
+    assert said[-1].duration_s == mission.duration_s
+    for _ in range(2):
+        fly(30.0, pb.MISSION_PHASE_PAUSED)
+        left = {round(m.duration_s - m.elapsed_s, 6) for m in said if m.phase == pb.MISSION_PHASE_PAUSED}
+        assert len(left) == 1  # time stands still
+        said.clear()
+        fly(10.0, pb.MISSION_PHASE_RUNNING)
+    fly(mission.duration_s - 30.0 - vehicle.control_period_s, pb.MISSION_PHASE_RUNNING)
+    fly(vehicle.control_period_s, pb.MISSION_PHASE_COMPLETED)
+    assert said[-1].duration_s == pytest.approx(mission.duration_s + 60.0)
+    assert said[-1].elapsed_s == pytest.approx(said[-1].duration_s)
+    state = FlightState(parameters, 1, mission, "run-2", 0)
+    row["cycle"] = 0
+    fly(1.0, pb.MISSION_PHASE_RUNNING)
+    assert said[-1].duration_s == mission.duration_s

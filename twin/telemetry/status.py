@@ -34,8 +34,13 @@ def run_id(mission_name: str, time_ns: int, suffix: str | None = None) -> str:
     return f"{at}-{mission_name}-{suffix or secrets.token_hex(2)}"
 
 
-def mission_status(stamp: pb.Stamp, state: FlightState, phase: int, end_reason: str = "") -> pb.MissionStatus:
-    """Topic "mission". `phase` is the row's MissionPhase, `end_reason` why the run is over."""
+def mission_status(
+    stamp: pb.Stamp, state: FlightState, phase: int, end_reason: str = "", held_s: float = 0.0
+) -> pb.MissionStatus:
+    """Topic "mission". `phase` is the row's MissionPhase, `end_reason` why the run is over.
+
+    `held_s` is how long it has been paused, s: elapsed time goes on in a pause, and its limit with it.
+    """
     message = pb.MissionStatus(
         stamp=stamp,
         phase=cast("pb.MissionPhase", phase),
@@ -46,7 +51,7 @@ def mission_status(stamp: pb.Stamp, state: FlightState, phase: int, end_reason: 
     if state.mission is not None:
         message.mission_name = state.mission.name
         message.mission_sha256 = state.mission.sha256
-        message.duration_s = state.mission.duration_s
+        message.duration_s = state.mission.duration_s + held_s
         message.elapsed_s = stamp.mission_time_s
     return message
 

@@ -52,6 +52,8 @@ class Teller:
         self._phase = pb.MISSION_PHASE_UNSPECIFIED
         self._end_reason = ""
         self._ended_s = 0.0  # mission time at which the run was over
+        self._time_s = 0.0  # mission time of the last cycle
+        self._held_s = 0.0  # length of the run's pauses, by which its longest duration grows
 
     def repeat(self) -> None:
         """Say every slow topic with the next cycle: somebody new may be listening."""
@@ -77,7 +79,10 @@ class Teller:
         events = [("event", self._event(stamp, one)) for one in happened]
         new_run = self._state is None or state.run_id != self._state.run_id
         if new_run:
-            self._end_reason = ""
+            self._end_reason, self._held_s = "", 0.0
+        elif phase == pb.MISSION_PHASE_PAUSED:
+            self._held_s += max(0.0, stamp.mission_time_s - self._time_s)
+        self._time_s = stamp.mission_time_s
         for _, message in events:
             if message.code in END_EVENTS:
                 self._end_reason = message.text
@@ -105,10 +110,10 @@ class Teller:
     ) -> Message | None:
         if name == "mission":
             if phase not in ENDED:
-                return status.mission_status(stamp, state, phase)
+                return status.mission_status(stamp, state, phase, held_s=self._held_s)
             if self._phase not in ENDED:
                 self._ended_s = stamp.mission_time_s
-            message = status.mission_status(stamp, state, phase, self._end_reason)
+            message = status.mission_status(stamp, state, phase, self._end_reason, self._held_s)
             message.elapsed_s = self._ended_s
             return message
         if name == "plan":

@@ -719,13 +719,15 @@ export type MissionStatus = Message<"bumpless.MissionStatus"> & {
   missionSha256: string;
 
   /**
-   * planned upper limit
+   * planned upper limit, which pauses so far have moved
    *
    * @generated from field: double duration_s = 6;
    */
   durationS: number;
 
   /**
+   * mission time, pauses included; at most duration_s
+   *
    * @generated from field: double elapsed_s = 7;
    */
   elapsedS: number;
