@@ -16,6 +16,8 @@ from typing import Any
 import numba
 import numpy as np
 
+from twin.compile_cache import claim
+
 try:
     from twin.compiled_parts import Function
 except ImportError:
@@ -52,7 +54,7 @@ def cache_folder() -> Path:
 
 
 if not os.environ.get("NUMBA_CACHE_DIR"):
-    numba.config.CACHE_DIR = str(cache_folder())  # type: ignore[attr-defined]
+    numba.config.CACHE_DIR = str(claim(cache_folder()))  # type: ignore[attr-defined]
 
 
 _OPTIONS = {"nopython": True, "nogil": True, "error_model": "numpy"}
