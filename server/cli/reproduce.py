@@ -78,6 +78,7 @@ def write_folder(out: Path, parts: "list[Part]", result: dict[str, Any], seconds
     """index.html, reproduce.json, and one CSV per figure."""
     from twin.report import page_of
     from twin.report.csv_text import csv_of
+    from twin.report.summary import summary_html
 
     out.mkdir(parents=True, exist_ok=True)
     text = json.dumps(result, indent=1, ensure_ascii=False) + "\n"
@@ -94,7 +95,7 @@ def write_folder(out: Path, parts: "list[Part]", result: dict[str, Any], seconds
     }
     for part in parts:
         made_by |= {f"SHA-256 of {name}": digest for name, digest in part.hashes.items()}
-    (out / "index.html").write_text(page_of(parts, made_by), encoding="utf-8")
+    (out / "index.html").write_text(page_of(parts, made_by, summary_html(result["parts"])), encoding="utf-8")
 
 
 def _versions() -> str:

@@ -12,6 +12,7 @@ import pytest
 
 from twin.report import Comparison, Figure, Grid, Panel, Part, Series, Solid, page_of
 from twin.report.csv_text import csv_of
+from twin.report.labels import label
 from twin.report.parts import PARTS, run_part, wanted_parts
 from twin.report.parts.extensions import effect
 from twin.report.parts.tank import about_mean, segments, steps
@@ -20,6 +21,7 @@ from twin.report.plot import POINTS, panel_svg, thinned
 from twin.report.readme import BEGIN, END, results_text, with_results
 from twin.report.shortfalls import CAUSES, shortfalls
 from twin.report.solid import solid_svg
+from twin.report.summary import summary_html
 from twin.report.table_html import table_html
 from twin.report.ticks import number, percent, ticks
 from twin.study.goals import GOALS
@@ -200,3 +202,25 @@ def test_every_shortfall_has_its_reason_and_its_numbers() -> None:
         assert told in lines[0], told
     assert "does not contract" in lines[1] and "place across" in lines[1]
     assert set(CAUSES) <= {goal.name for goal in GOALS}
+
+
+def test_figures_are_shown_by_words() -> None:
+    """Protects: nobody reads the code's names on the page; words stay as they are."""
+    assert label("depth_rms_m") == "depth RMS (m)"
+    assert label("d_u_FR_mixed") == "d_u, F→R, ° and rpm"
+    assert label("rms_e_tau_all (N, N·m)") == "RMS e_τ, all cycles (N, N·m)"
+    assert label("r_sat_all (1)") == "r_sat, all cycles"
+    assert label("closest to the point (m)") == "closest to the point (m)"
+
+
+def test_the_head_of_the_page_sums_up_the_parts_that_were_made() -> None:
+    """Protects: the summary says what the numbers say, and a page of one part has one of its own."""
+    change = {"S3_to_S4_d_u_FR": {"paper": -0.8117, "ours": -0.944, "range": None}}
+    parts = {
+        "table6": {"numbers": {"changes": change}},
+        "physics": {"numbers": {"passed": 20, "checks": 21}},
+    }
+    html = summary_html(parts)
+    assert "S3→S4 d_u, F→R −94 % (paper −81 %)" in html
+    assert "20 of 21" in html
+    assert "falls short" not in html

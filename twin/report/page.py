@@ -26,7 +26,7 @@ def page_of(parts: Sequence[Part], made_by: dict[str, str], summary: str = "") -
         "<body><header><h1>The paper, reproduced</h1>"
         "<p>Gao et al., <em>Bumpless Multi-Mode Control Allocation for Over-Actuated AUV Docking</em>, "
         "J. Mar. Sci. Eng. 2026, 14(5), 516, doi:10.3390/jmse14050516, beside what Bumpless finds.</p>"
-        f"{summary}<nav>{links}</nav></header><main>{''.join(_part(part) for part in parts)}</main>"
+        f"<nav>{links}</nav>{summary}</header><main>{''.join(_part(part) for part in parts)}</main>"
         f'<footer><h2>What produced this page</h2><div class="wide"><table>{rows}</table>'
         "</div></footer></body></html>"
     )

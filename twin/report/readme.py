@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from typing import Any
 
+from twin.report.labels import label
 from twin.report.shortfalls import shortfalls
 from twin.report.ticks import number, percent, share, words
 
@@ -117,7 +118,7 @@ def _scenarios(parts: dict[str, Any]) -> str:
         ("table8", "Table 8, runtime of the allocator"),
     ):
         table = parts[name]["tables"][name]
-        head = ["paper / ours", *table["columns"]]
+        head = ["paper / ours", *(label(column) for column in table["columns"])]
         out.append(f"**{title}**\n\n{_markdown(head, _comparison(table))}")
     return "\n\n".join(out)
 
@@ -130,7 +131,7 @@ def _tank(part: dict[str, Any]) -> str:
         paper = [table["rows"][label]["paper"][k] for label in ("S1", "S2", "S3")]
         rows.append(
             [
-                name,
+                label(name),
                 f"{percent(paper[1] / paper[0] - 1)} / **{percent(goal['S1_to_S2'])}**",
                 f"{percent(paper[2] / paper[0] - 1)} / **{percent(goal['S1_to_S3'])}**",
                 "better" if goal["met"] else "worse",

@@ -6,6 +6,7 @@ cause says where it fails and nothing more.
 
 from typing import Any
 
+from twin.report.labels import label
 from twin.report.ticks import change, number, percent, share, words
 
 Document = dict[str, Any]
@@ -79,7 +80,8 @@ def _tank(parts: Document) -> list[str]:
         if not goal["met"]:
             reason = f": {goal['reason']}" if goal.get("reason") else ""
             lines.append(
-                f"Tank, hover {name}: {percent(goal['S1_to_S3'])} against no allocation, wanted less{reason}."
+                f"Tank, hover {label(name)}: {percent(goal['S1_to_S3'])} against no allocation, wanted "
+                f"less{reason}."
             )
     return lines
 

@@ -79,6 +79,9 @@ def _box(low: Array, high: Array, right: Array, up: Array, axes: tuple[str, str,
             edge[:2] = [-0.5, 0.5]
         px, py = _project(edge[None, :], right, up)
         text = f"{axes[axis]}: {number(float(low[axis]), 3)} … {number(float(high[axis]), 3)}"
-        shift = (-4, 4, 4)[axis]
+        if axis == 2:  # at the left edge, where centred text would be cut off
+            out.append(f'<text class="axis left" x="2" y="{py[0] + 16:.1f}">{escape(text)}</text>')
+            continue
+        shift = (-4, 4)[axis]
         out.append(f'<text class="axis" x="{px[0] + shift:.1f}" y="{py[0] + 16:.1f}">{escape(text)}</text>')
     return out

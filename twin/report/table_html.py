@@ -6,7 +6,10 @@ from html import escape
 from typing import Any
 
 from twin.report.content import Comparison, Grid, relative_change
+from twin.report.labels import label
 from twin.report.ticks import number, percent
+
+MANY = 6  # columns from which on a table is set tightly
 
 
 def table_html(table: Comparison | Grid) -> str:
@@ -18,9 +21,10 @@ def table_html(table: Comparison | Grid) -> str:
 
 
 def _comparison(table: Comparison) -> str:
-    head = "".join(f"<th>{escape(column)}</th>" for column in table.columns)
+    head = "".join(f"<th>{escape(label(column))}</th>" for column in table.columns)
+    many = ' class="many"' if len(table.columns) > MANY else ""
     lines = []
-    for label, (paper, ours, spread) in table.rows.items():
+    for row, (paper, ours, spread) in table.rows.items():
         cells = []
         for k in range(len(table.columns)):
             around = None if spread is None else spread[k]
@@ -30,19 +34,20 @@ def _comparison(table: Comparison) -> str:
                 f"<td><span class=paper>{number(paper[k])}</span><b>{number(ours[k])}</b>{wide}"
                 f"<span class=change>{change}</span></td>"
             )
-        lines.append(f"<tr><th>{escape(label)}</th>{''.join(cells)}</tr>")
+        lines.append(f"<tr><th>{escape(row)}</th>{''.join(cells)}</tr>")
     words = "<span class=paper>paper</span> <b>ours</b> <span class=change>relative change</span>"
     key = f'<p class="key">{words}</p>'
-    return f"{key}<table><thead><tr><th></th>{head}</tr></thead><tbody>{''.join(lines)}</tbody></table>"
+    return f"{key}<table{many}><thead><tr><th></th>{head}</tr></thead><tbody>{''.join(lines)}</tbody></table>"
 
 
-NUMERIC = re.compile(r"^[−+\-]?[\d ,.]+(e[−+\-]?\d+)?( ?[%s°])?$|^[<>] [−+\d ]+%$|^–?$")
+_NUMBER = r"[−+\-]?[\d ,.]+(e[−+\-]?\d+)?( ?[%s°])?"
+NUMERIC = re.compile(rf"^({_NUMBER}( … {_NUMBER})?|[<>] [−+\d ]+%|–)?$")
 
 
 def _grid(table: Grid) -> str:
     numeric = [_is_numeric([row[k] for row in table.rows]) for k in range(len(table.columns))]
     head = "".join(
-        f'<th class="{"num" if of else "word"}">{escape(column)}</th>'
+        f'<th class="{"num" if of else "word"}">{escape(label(column))}</th>'
         for column, of in zip(table.columns, numeric, strict=True)
     )
     lines = []
@@ -51,8 +56,10 @@ def _grid(table: Grid) -> str:
             f'<td class="{"num" if of else "word"}">{_lines(value)}</td>'
             for value, of in zip(row[1:], numeric[1:], strict=True)
         )
-        lines.append(f"<tr><th>{_lines(row[0])}</th>{cells}</tr>")
-    return f"<table><thead><tr>{head}</tr></thead><tbody>{''.join(lines)}</tbody></table>"
+        first = label(row[0]) if isinstance(row[0], str) else row[0]
+        lines.append(f"<tr><th>{_lines(first)}</th>{cells}</tr>")
+    many = ' class="many"' if len(table.columns) > MANY else ""
+    return f"<table{many}><thead><tr>{head}</tr></thead><tbody>{''.join(lines)}</tbody></table>"
 
 
 def _is_numeric(cells: Sequence[Any]) -> bool:

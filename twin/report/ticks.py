@@ -33,6 +33,8 @@ def number(value: object, digits: int = 4) -> str:
     if isinstance(value, float):
         if not math.isfinite(value):
             return "–"
+        if 1e4 <= abs(value) < 1e7:
+            return f"{value:,.0f}".replace(",", " ").replace("-", "−")
         return f"{value:.{digits}g}".replace("-", "−")
     return str(value)
 

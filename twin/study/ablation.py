@@ -14,7 +14,8 @@ from twin.study.fly import Job, fly_all
 from twin.study.goals import GOALS
 from twin.study.many import fly_rows, nominal_rows, plant_rows, ratio_of, share_of
 from twin.study.plants import NOMINAL, Plant, draw
-from twin.study.scenarios import SCENARIOS, Overrides, merged
+from twin.study.readings import scenarios_of
+from twin.study.scenarios import Overrides, merged
 from twin.study.tables import SEEDS, Progress, spread_of
 
 MECHANISMS = ("ramp", "integrator_alignment", "warm_start_projection")
@@ -96,7 +97,7 @@ def extension_ablation(
     Baselines that an extension does not touch are not flown again. Rows: name, about, and for each goal
     {"ratio": median over seeds on the nominal plant, "share": of plants 0 .. n_plants - 1}.
     """
-    plants, names = [draw(i) for i in range(n_plants)], tuple(SCENARIOS)
+    plants, names = [draw(i) for i in range(n_plants)], scenarios_of(readings=False)
     own = tuple(name for name in names if name not in ("S1", "S2", "S3"))
     variations: list[tuple[str, str, tuple[str, ...], Overrides]] = [(ALL_ON, "", names, {})]
     variations += [(e.name, e.about, names if e.shared else own, e.off) for e in EXTENSIONS]

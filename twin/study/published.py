@@ -31,7 +31,7 @@ TABLE_6 = (
     Column(
         "rms_e_tau_all",
         "rms_e_tau_model",
-        "N, N m",
+        "N, N·m",
         "RMS over all cycles of the norm of tau_d minus the map at the commands and the estimated flow",
         _rows(1, 3.7978, 0.7836, 1.0686, 1.0719),
         ("rms_e_tau_true",),
@@ -66,7 +66,7 @@ TABLE_7 = (
     Column(
         "rms_e_tau_post",
         "rms_e_tau_post_true",
-        "N, N m",
+        "N, N·m",
         "RMS from the fault to the end of the norm of tau_d minus the plant's true actuator wrench",
         {"S5": 1.1335, "S6": 0.9988},
         ("rms_e_tau_post_model",),
@@ -87,8 +87,8 @@ TABLE_7 = (
         {"S5": 1.4397, "S6": 2.1170},
         ("d_psi_fault_peak", "d_psi_fault_moved"),
     ),
-    Column("s_max", "s_max", "N, N m", "largest norm of the slack after the fault", {"S6": 0.01976}),
-    Column("s_rms", "s_rms", "N, N m", "RMS norm of the slack after the fault", {"S6": 0.02343}),
+    Column("s_max", "s_max", "N, N·m", "largest norm of the slack after the fault", {"S6": 0.01976}),
+    Column("s_rms", "s_rms", "N, N·m", "RMS norm of the slack after the fault", {"S6": 0.02343}),
 )
 
 TABLE_8 = tuple(

@@ -80,9 +80,12 @@ def part(progress: Progress) -> Part:
     missing = Grid(
         "table3_missed",
         "What sampling misses of the exact set",
-        "1 − sampled / exact.",
+        "1 − sampled / exact; a dash where the set is flat.",
         ["set", *COLUMNS],
-        shares,
+        [
+            [row, *(None if m is None else f"{m + 1e-9:.1%}".replace("%", " %") for m in of)]
+            for row, *of in shares
+        ],
     )
     worst = max(abs(c) for row in compared.as_dict()["rows"].values() for c in row["change"] if c is not None)
     figures = [_bodies(model), _convergence(model, exact["total"], progress), _speeds(model)]

@@ -38,7 +38,7 @@ def track_figure(id: str, title: str, caption: str, runs: Mapping[str, Result]) 
         caption,
         [
             Panel("north (m)", "east (m)", plan),
-            Panel(TIME, "range to the observation point (m)", range_, spans_of(first.log)),
+            Panel(TIME, "range (m)", range_, spans_of(first.log)),
         ],
         2,
     )

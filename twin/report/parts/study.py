@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from twin.records import FIN, THRUSTER
-from twin.report.content import Comparison, Figure, Grid, Part
+from twin.report.content import Figure, Part
 from twin.report.parts import Progress
 from twin.report.parts.flights import (
     command_figure,
@@ -17,7 +17,14 @@ from twin.report.parts.flights import (
     track_figure,
     wrench_figure,
 )
-from twin.report.ticks import number, percent
+from twin.report.parts.study_tables import (
+    change_numbers,
+    changes,
+    comparison,
+    definitions,
+    mechanisms,
+    readings,
+)
 from twin.study.ablation import (
     BUMPLESS_FIGURES,
     FAULT_FIGURES,
@@ -51,6 +58,7 @@ class Study:
     table: Callable[..., dict[str, Any]]
     ablation: tuple[str, str, Sequence[Variation], Sequence[str]]  # id, title, rows, columns
     figures: tuple[str, str]  # id, numbers in the paper
+    notes: Sequence[str] = ()
 
 
 def table6_part(progress: Progress) -> Part:
@@ -71,6 +79,12 @@ def table6_part(progress: Progress) -> Part:
                 BUMPLESS_FIGURES,
             ),
             ("s1_s4", "Figures 11 to 14"),
+            [
+                "The paper's r_sat near 1 says that in nearly every cycle some command rests at a bound; on "
+                "our nominal plant hardly any does, so that column is shown and is no target.",
+                "Differences of size against the paper come from plant, gains and path, which it does not "
+                "print; the relations between the scenarios are what can be compared.",
+            ],
         ),
         progress,
     )
@@ -110,14 +124,14 @@ def _part(study: Study, progress: Progress) -> Part:
         study.title,
         study.text,
         [
-            _comparison(study.id, table, study.scenarios),
-            _changes(f"{study.id}_changes", table, study.scenarios),
-            _readings(f"{study.id}_readings", table),
-            _ablation(id, title, rows, columns),
+            comparison(study.id, table, study.scenarios),
+            changes(f"{study.id}_changes", table, study.scenarios),
+            readings(f"{study.id}_readings", table),
+            mechanisms(id, title, rows, columns),
         ],
         _scenario_figures(*study.figures, runs),
-        notes=_definitions(table),
-        numbers={"changes": _change_numbers(table)},
+        notes=[*definitions(table), *study.notes],
+        numbers={"changes": change_numbers(table)},
         hashes=study_hashes(study.scenarios),
     )
 
@@ -144,99 +158,9 @@ def table8_part(progress: Progress) -> Part:
         "Runtime of the allocator (Table 8)",
         "Measured inside the compiled cycle, in a hot loop and on this machine: other machines give other "
         "numbers, and calls paced by a clock meet cold caches.",
-        [_comparison("table8", table, (*NO_FAULT, *FAULT))],
+        [comparison("table8", table, (*NO_FAULT, *FAULT))],
         [figure],
         hashes=study_hashes((*NO_FAULT, *FAULT)),
-    )
-
-
-def _comparison(id: str, table: dict[str, Any], names: Sequence[str]) -> Comparison:
-    columns = [c["name"] for c in table["columns"]]
-    rows: dict[str, Any] = {}
-    for name in names:
-        cells = [table["rows"][name][column] for column in columns]
-        spread = [None if c["spread"] is None else (c["spread"][1] - c["spread"][0]) / 2 for c in cells]
-        rows[name] = ([c["paper"] for c in cells], [c["ours"] for c in cells], spread)
-    return Comparison(
-        id,
-        f"Table {table['table']}",
-        f"Ours: median of {len(table['seeds'])} seeds and half their range. The vehicle is the one that "
-        "Table 3 identifies; the paper prints neither hull, gains nor path.",
-        [f"{c['name']} ({c['unit']})" for c in table["columns"]],
-        rows,
-    )
-
-
-def _changes(id: str, table: dict[str, Any], names: Sequence[str]) -> Grid:
-    rows = []
-    for name in names:
-        for column in table["columns"]:
-            cell = table["rows"][name][column["name"]]
-            if cell.get("change") is not None:
-                low, high = cell["change_spread"]
-                rows.append(
-                    [
-                        f"{cell['reference']}→{name} {column['name']}",
-                        percent(cell["paper_change"]),
-                        percent(cell["change"]),
-                        f"{percent(low)} … {percent(high)}",
-                    ]
-                )
-    return Grid(
-        id,
-        "Relative changes between scenarios",
-        "Median over seeds, and their range.",
-        ["", "paper", "ours", "range"],
-        rows,
-    )
-
-
-def _change_numbers(table: dict[str, Any]) -> dict[str, Any]:
-    return {
-        f"{cell['reference']}_to_{name}_{column['name']}": {
-            "paper": cell["paper_change"],
-            "ours": cell["change"],
-            "range": cell["change_spread"],
-        }
-        for name, row in table["rows"].items()
-        for column in table["columns"]
-        if (cell := row[column["name"]]).get("change") is not None
-    }
-
-
-def _readings(id: str, table: dict[str, Any]) -> Grid:
-    rows = []
-    for name, row in table["rows"].items():
-        for column in table["columns"]:
-            cell = row[column["name"]]
-            for reading, value in {column["figure"]: cell, **cell["other"]}.items():
-                if value["ours"] is not None and (cell["other"] or name not in (*NO_FAULT, *FAULT)):
-                    rows.append([name, column["name"], reading, value["ours"], _range(value["spread"])])
-    return Grid(
-        id,
-        "The same under other definitions, and other baselines",
-        "What the paper leaves open decides some figures: tau_c by the allocator's model, d_u in thrust or "
-        "in mixed degrees and rpm, peak instead of RMS deviation; other mappings of S1 and integrals of S3.",
-        ["scenario", "column", "definition", "ours", "range over seeds"],
-        rows,
-    )
-
-
-def _range(spread: Sequence[float] | None) -> str:
-    return "–" if spread is None else f"{number(spread[0], 3)} … {number(spread[1], 3)}"
-
-
-def _definitions(table: dict[str, Any]) -> list[str]:
-    return [f"{c['name']}: {c['definition']}" for c in table["columns"]]
-
-
-def _ablation(id: str, title: str, rows: list[dict[str, Any]], figures: Sequence[str]) -> Grid:
-    return Grid(
-        id,
-        title,
-        "Median of five seeds on the nominal plant.",
-        ["", *figures],
-        [[row["name"], *(row["figures"][key]["ours"] for key in figures)] for row in rows],
     )
 
 
@@ -244,11 +168,20 @@ def _scenario_figures(id: str, paper: str, runs: dict[str, Any]) -> list[Figure]
     last = list(runs.values())[-1]
     name = list(runs)[-1]
     return [
-        track_figure(f"{id}_track", f"{paper}: tracks", "Seed 1. Shaded: modes of the first.", runs),
-        pose_figure(f"{id}_pose", "Depth and attitude", f"Shaded: modes of {name}.", runs),
-        command_figure(f"{id}_thrusters", "Thrusters", "", runs, THRUSTER),
-        command_figure(f"{id}_fins", "Rudders", "", runs, FIN),
+        track_figure(
+            f"{id}_track",
+            f"{paper}: tracks",
+            f"Nominal plant, seed 1, as in all figures of this part. Shaded: modes of {next(iter(runs))}; "
+            "each scenario switches at its own time.",
+            runs,
+        ),
+        pose_figure(f"{id}_pose", "Depth and attitude", f"True state. Shaded: modes of {name}.", runs),
+        command_figure(f"{id}_thrusters", "Thrusters", f"Commands. Shaded: modes of {name}.", runs, THRUSTER),
+        command_figure(f"{id}_fins", "Rudders", f"Commands. Shaded: modes of {name}.", runs, FIN),
         wrench_figure(
-            f"{id}_wrench", f"Wrench of {name}", "Demanded, and what the plant's actuators do.", last
+            f"{id}_wrench",
+            f"Wrench of {name}",
+            "Demanded tau_d, and what the plant's actuators do, tau.",
+            last,
         ),
     ]

@@ -21,7 +21,8 @@ def part(progress: Progress) -> Part:
         vehicle, mission = load_vehicle(name), shipped_mission(flight)
         result = simulate(mission, vehicle)
         m = metrics_of(Run.from_log(result.log, len(vehicle.actuators)), vehicle)
-        modes = "→".join("FRH"[s.from_mode - 1] for s in m.switches) + "FRH"[int(result.log["mode"][-1])]
+        flown = [int(result.log["mode"][0]), *(s.to_mode - 1 for s in m.switches)]
+        modes = "→".join("FRH"[mode] for mode in flown)
         rows.append(
             [
                 vehicle.name,
