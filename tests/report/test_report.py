@@ -12,7 +12,7 @@ import pytest
 
 from twin.report import Comparison, Figure, Grid, Panel, Part, Series, Solid, page_of
 from twin.report.csv_text import csv_of
-from twin.report.labels import label
+from twin.report.labels import coordinate, label
 from twin.report.parts import PARTS, run_part, wanted_parts
 from twin.report.parts.extensions import effect
 from twin.report.parts.tank import about_mean, segments, steps
@@ -200,7 +200,7 @@ def test_every_shortfall_has_its_reason_and_its_numbers() -> None:
     assert len(lines) == 2
     for told in ("28 %", CAUSES[name][1:], "noise 1 against 0", "55 % of 40 plants at price 0.1", "80 %"):
         assert told in lines[0], told
-    assert "does not contract" in lines[1] and "place across" in lines[1]
+    assert "does not contract" in lines[1] and "the vehicle's east" in lines[1]
     assert set(CAUSES) <= {goal.name for goal in GOALS}
 
 
@@ -211,6 +211,8 @@ def test_figures_are_shown_by_words() -> None:
     assert label("rms_e_tau_all (N, N·m)") == "RMS e_τ, all cycles (N, N·m)"
     assert label("r_sat_all (1)") == "r_sat, all cycles"
     assert label("closest to the point (m)") == "closest to the point (m)"
+    assert coordinate("autopilot.integral[5]") == "integral of heading"
+    assert coordinate("something else") == "something else"
 
 
 def test_the_head_of_the_page_sums_up_the_parts_that_were_made() -> None:

@@ -63,3 +63,21 @@ def _label(name: str) -> str:
     if " " in name or len(words) < 3 or words[-1] not in _UNITS:
         return name
     return f"{' '.join(_WORDS.get(word, word) for word in words[:-1])} ({_UNITS[words[-1]]})"
+
+
+_AXES = ("north", "east", "depth", "roll", "pitch", "heading")
+_ERRORS = ("surge", "sway", "depth", "roll", "pitch", "heading")
+
+
+def coordinate(name: str) -> str:
+    """A coordinate of the linearised loop, such as plant.eta[1], in words."""
+    found = re.fullmatch(r"(plant|autopilot)\.(eta|nu|u|integral)\[(\d)\]", name)
+    if not found:
+        return name
+    k = int(found[3])
+    return {
+        "eta": f"the vehicle's {_AXES[k % 6]}",
+        "nu": f"the vehicle's rate in {_ERRORS[k % 6]}",
+        "u": f"{'state' if found[1] == 'plant' else 'command'} of actuator {k + 1}",
+        "integral": f"integral of {_ERRORS[k % 6]}",
+    }[found[2]]

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from twin.report.labels import label
-from twin.report.shortfalls import shortfalls
+from twin.report.shortfalls import WHERE, shortfalls
 from twin.report.ticks import number, percent, share, words
 
 BEGIN, END = "<!-- results:begin -->", "<!-- results:end -->"
@@ -67,8 +67,8 @@ def _table3(part: dict[str, Any]) -> str:
     force, moment = n["force_volume_missed"], n["moment_volume_missed"]
     return (
         "**Table 3, paper / ours** under the paper's own sampling; the farthest indicator is "
-        f"{n['largest_deviation']:.1%} off. Sampling itself misses {force:.0%} of the force set's volume and "
-        f"{moment:.0%} of the moment set's, which the exact sets show.\n\n"
+        f"{share(n['largest_deviation'], 1)} off. Sampling itself misses {share(force)} of the force set's "
+        f"volume and {share(moment)} of the moment set's, which the exact sets show.\n\n"
         + _markdown(["at 0.2 m/s", *table["columns"]], _comparison(table))
     )
 
@@ -155,4 +155,4 @@ def _ground(parts: dict[str, Any]) -> str:
 
 def _short(parts: dict[str, Any]) -> str:
     lines = "\n".join(f"- {line}" for line in shortfalls(parts))
-    return f"**What falls short, and why**\n\n{lines or '- nothing'}"
+    return f"**What falls short, and why** ({WHERE})\n\n{lines or '- nothing'}"

@@ -6,7 +6,7 @@ cause says where it fails and nothing more.
 
 from typing import Any
 
-from twin.report.labels import label
+from twin.report.labels import coordinate, label
 from twin.report.ticks import change, number, percent, share, words
 
 Document = dict[str, Any]
@@ -19,12 +19,12 @@ _ON_AXIS = (
     "the screw that fails lies on the axis and makes neither pitch nor yaw moment, so knowing its fault "
     "hardly changes what the four fins can do"
 )
+WHERE = "where it fails: means of the failing plants against the others, each number scaled to −1 … 1"
 CAUSES: dict[str, str] = {
     "S4<=S2 e_tau": _SLOWED,
     "pitch S5->S6": _ON_AXIS,
     "yaw S5->S6": _ON_AXIS,
 }
-COORDINATES = {"plant.eta[1]": "the place across the track", "plant.eta[5]": "heading"}
 
 
 def shortfalls(parts: Document) -> list[str]:
@@ -114,7 +114,7 @@ def _stability(parts: Document) -> list[str]:
         if row[4] is None:
             mode = max(radius, key=radius.__getitem__)
             slowest = parts["stability"]["numbers"][row[0]].get("slowest_in")
-            where = f", slowest in {COORDINATES.get(slowest[mode], slowest[mode])}" if slowest else ""
+            where = f", slowest in {coordinate(slowest[mode])}" if slowest else ""
             reason = (
                 f"no dwell is proven enough, for the loop linearised in {mode} does not contract (spectral "
                 f"radius {radius[mode]:.6f}{where})"

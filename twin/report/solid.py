@@ -21,7 +21,7 @@ def solid_svg(solid: Solid) -> str:
     right, up, depth = _axes()
     x, y = _project(unit, right, up)
     out = [f'<svg viewBox="0 0 {SIZE} {SIZE}" role="img" aria-label="{escape(solid.name)}">']
-    out += _box(low, high, right, up, solid.axes)
+    out += _box(right, up)
     corners = unit[solid.faces]
     normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     length = np.linalg.norm(normal, axis=1)
@@ -41,6 +41,7 @@ def solid_svg(solid: Solid) -> str:
             + "".join(f"M{p:.1f} {q:.1f}h0" for p, q in zip(a, b, strict=True))
             + '"/>'
         )
+    out += _axes_text(low, high, right, up, solid.axes)
     out.append(f'<text class="label" x="{SIZE / 2}" y="14">{escape(solid.name)}</text></svg>')
     return "".join(out)
 
@@ -64,7 +65,7 @@ def _project(points: Array, right: Array, up: Array) -> tuple[Array, Array]:
     return SIZE / 2 + scale * (points @ right), SIZE / 2 + 6 - scale * (points @ up)
 
 
-def _box(low: Array, high: Array, right: Array, up: Array, axes: tuple[str, str, str]) -> list[str]:
+def _box(right: Array, up: Array) -> list[str]:
     out = []
     corners = np.array([[i, j, k] for i in (-0.5, 0.5) for j in (-0.5, 0.5) for k in (-0.5, 0.5)])
     x, y = _project(corners, right, up)
@@ -72,6 +73,12 @@ def _box(low: Array, high: Array, right: Array, up: Array, axes: tuple[str, str,
         for b in range(a + 1, 8):
             if np.sum(np.abs(corners[a] - corners[b])) == 1.0:
                 out.append(f'<path class="grid" d="M{x[a]:.1f} {y[a]:.1f}L{x[b]:.1f} {y[b]:.1f}"/>')
+    return out
+
+
+def _axes_text(low: Array, high: Array, right: Array, up: Array, axes: tuple[str, str, str]) -> list[str]:
+    """Name and range of each axis, drawn over the body."""
+    out = []
     for axis in range(3):
         edge = np.array([0.5, 0.5, 0.5])
         edge[axis] = 0.0
@@ -79,8 +86,9 @@ def _box(low: Array, high: Array, right: Array, up: Array, axes: tuple[str, str,
             edge[:2] = [-0.5, 0.5]
         px, py = _project(edge[None, :], right, up)
         text = f"{axes[axis]}: {number(float(low[axis]), 3)} … {number(float(high[axis]), 3)}"
-        if axis == 2:  # at the left edge, where centred text would be cut off
-            out.append(f'<text class="axis left" x="2" y="{py[0] + 16:.1f}">{escape(text)}</text>')
+        if axis == 2:  # along the upright edge on the left
+            turned = f"translate({px[0] - 10:.1f} {py[0]:.1f}) rotate(-90)"
+            out.append(f'<text class="axis" transform="{turned}">{escape(text)}</text>')
             continue
         shift = (-4, 4)[axis]
         out.append(f'<text class="axis" x="{px[0] + shift:.1f}" y="{py[0] + 16:.1f}">{escape(text)}</text>')

@@ -5,7 +5,8 @@ from html import escape
 from typing import Any
 
 from twin.report.labels import label
-from twin.report.shortfalls import shortfalls
+from twin.report.shortfalls import WHERE, shortfalls
+from twin.report.ticks import share
 
 GLOSSARY: tuple[tuple[str, str], ...] = (
     ("F, R, H", "modes: forward, reverse (braking towards the target), hover"),
@@ -28,7 +29,8 @@ def summary_html(parts: Mapping[str, Any]) -> str:
     short = "".join(f"<li>{escape(line)}</li>" for line in shortfalls(dict(parts)))
     out = f'<h2>In short</h2><ul class="summary">{found}</ul>' if found else ""
     if short:
-        out += f'<h2>What falls short, and why</h2><ul class="summary">{short}</ul>'
+        where = escape(WHERE[0].upper() + WHERE[1:])
+        out += f'<h2>What falls short, and why</h2><p>{where}.</p><ul class="summary">{short}</ul>'
     words = "".join(f"<dt>{escape(term)}</dt><dd>{escape(said)}</dd>" for term, said in GLOSSARY)
     return f"{out}<details><summary>Symbols and words</summary><dl>{words}</dl></details>"
 
@@ -39,8 +41,8 @@ def findings(parts: Mapping[str, Any]) -> list[str]:
     out = []
     if "table3" in n:
         out.append(
-            f"Table 3: every indicator within {n['table3']['largest_deviation']:.1%} under the paper's "
-            f"sampling, which itself misses {n['table3']['force_volume_missed']:.0%} of the force set."
+            f"Table 3: every indicator within {share(n['table3']['largest_deviation'], 1)} under the paper's "
+            f"sampling, which itself misses {share(n['table3']['force_volume_missed'])} of the force set."
         )
     if "robustness" in n:
         r = n["robustness"]

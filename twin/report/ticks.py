@@ -50,9 +50,9 @@ def percent(value: float | None) -> str:
     return f"{text} %".replace("-", "−")
 
 
-def share(value: float | None) -> str:
-    """A share as a percentage without sign."""
-    return "–" if value is None else f"{value:.0%}".replace("%", " %")
+def share(value: float | None, digits: int = 0) -> str:
+    """A share as a percentage."""
+    return "–" if value is None else f"{value:.{digits}%}".replace("%", " %").replace("-", "−")
 
 
 def change(ratio: float | None) -> str:

@@ -14,6 +14,7 @@ from twin.records import FIN, THRUSTER
 from twin.report.content import Comparison, Figure, Grid, Panel, Part, Series, Solid
 from twin.report.parts import Progress
 from twin.report.published import published
+from twin.report.ticks import share
 from twin.vehicle import load_vehicle
 
 SPEED = 0.2  # m/s
@@ -82,10 +83,7 @@ def part(progress: Progress) -> Part:
         "What sampling misses of the exact set",
         "1 − sampled / exact; a dash where the set is flat.",
         ["set", *COLUMNS],
-        [
-            [row, *(None if m is None else f"{m + 1e-9:.1%}".replace("%", " %") for m in of)]
-            for row, *of in shares
-        ],
+        [[row, *(None if m is None else share(m + 1e-9, 1) for m in of)] for row, *of in shares],
     )
     worst = max(abs(c) for row in compared.as_dict()["rows"].values() for c in row["change"] if c is not None)
     figures = [_bodies(model), _convergence(model, exact["total"], progress), _speeds(model)]
@@ -95,9 +93,9 @@ def part(progress: Progress) -> Part:
     return Part(
         "envelopes",
         "Attainable sets (Table 3)",
-        f"Under the paper's own sampling the farthest indicator is {worst:.1%} from print. Seven "
+        f"Under the paper's own sampling the farthest indicator is {share(worst, 1)} from print. Seven "
         "dimensions are too many for 20,000 random commands: they hardly ever meet a corner, and miss "
-        f"{lost:.0%} of the force set's volume and {lost_moment:.0%} of the moment set's.",
+        f"{share(lost)} of the force set's volume and {share(lost_moment)} of the moment set's.",
         [compared, precise, missing],
         figures,
         numbers={

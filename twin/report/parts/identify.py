@@ -15,6 +15,7 @@ from twin.records import FIN, THRUSTER
 from twin.report.content import Figure, Grid, Panel, Part, Series
 from twin.report.parts import Progress
 from twin.report.parts.envelopes import GROUPS, SPEED, indicators, paper_rows
+from twin.report.ticks import share
 from twin.vehicle import load_vehicle
 
 Array = NDArray[np.float64]
@@ -144,10 +145,10 @@ def part(progress: Progress) -> Part:
     return Part(
         "identify",
         "The vehicle behind Table 3",
-        f"Starting {START:.0%} off in every parameter, least squares under the paper's own sampling comes to "
-        f"within {np.abs(relative).max():.1%} of every printed indicator. Ten numbers and their errors "
-        f"determine {sum(r[3] == 'determined' for r in rows)} of {n} parameters to 5 %; the singular values "
-        "say which combinations are left open, and there the vehicle file says 'assumed'.",
+        f"Starting {share(START)} off in every parameter, least squares under the paper's own sampling comes "
+        f"to within {share(float(np.abs(relative).max()), 1)} of every printed indicator. Ten numbers and "
+        f"their errors determine {sum(r[3] == 'determined' for r in rows)} of {n} parameters to 5 %; the "
+        "singular values say which combinations are left open, and there the vehicle file says 'assumed'.",
         [
             Grid(
                 "identified",

@@ -6,6 +6,7 @@ Source: Gao et al. 2026, Proposition 2.
 import math
 
 from twin.report.content import Grid, Part
+from twin.report.labels import coordinate
 from twin.report.parts import Progress
 from twin.report.parts.missions import shipped_mission
 from twin.stability import Dwell, check_dwell, dwell_warning
@@ -81,7 +82,7 @@ def _mode_table(found: dict[str, Dwell]) -> Grid:
             rho = None
             if d.certificate is not None:
                 rho = float(d.certificate.rho[NAMES.index(mode)] ** (1.0 / d.period))
-            rows.append([name, mode, radius, slow, d.slowest[mode], rho])
+            rows.append([name, mode, radius, slow, coordinate(d.slowest[mode]), rho])
     return Grid(
         "contraction",
         "Contraction of each mode",
