@@ -21,8 +21,13 @@ def folder(base: Path, number: int, days_ago: float) -> Path:
     (path / "twin_1").mkdir(parents=True)
     (path / "twin_1" / "cycle.nbi").write_text("compiled")
     (path / "in-use").touch()
-    os.utime(path / "in-use", (NOW_S - days_ago * DAY_S,) * 2)
+    use(path, days_ago)
     return path
+
+
+def use(path: Path, days_ago: float) -> None:
+    at_s = NOW_S - days_ago * DAY_S
+    os.utime(path / "in-use", (at_s, at_s))
 
 
 def names(paths: list[Path]) -> list[int]:
@@ -44,7 +49,7 @@ def test_the_last_used_the_current_and_those_in_use_stay(tmp_path: Path) -> None
     with running:
         assert running.stdout is not None and running.stdin is not None
         assert running.stdout.readline() == "holding\n"
-        os.utime(busy / "in-use", (NOW_S - 17 * DAY_S,) * 2)
+        use(busy, days_ago=17.0)
         gone = prune(current, NOW_S)
         assert names(gone) == [k for k in range(KEEP - 1, 20) if k not in (15, 19)]
         assert names(list(tmp_path.glob("numba-0*"))) == [*range(KEEP - 1), 15, 19]
