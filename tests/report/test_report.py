@@ -15,7 +15,6 @@ from twin.report.csv_text import csv_of
 from twin.report.labels import coordinate, label
 from twin.report.parts import PARTS, run_part, wanted_parts
 from twin.report.parts.extensions import effect
-from twin.report.parts.tank import about_mean, segments, steps
 from twin.report.parts.tradeoff import best
 from twin.report.plot import POINTS, panel_svg, thinned
 from twin.report.readme import BEGIN, END, results_text, with_results
@@ -25,6 +24,7 @@ from twin.report.summary import summary_html
 from twin.report.table_html import table_html
 from twin.report.ticks import number, percent, ticks
 from twin.study.goals import GOALS
+from twin.study.tank import about_mean, segments, steps
 from twin.study.tradeoff import CURVES
 
 ROOT = Path(__file__).parents[2]
