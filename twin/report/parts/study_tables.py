@@ -82,13 +82,13 @@ def readings(id: str, table: dict[str, Any]) -> Grid:
             value = row[column] if figure not in row[column]["other"] else row[column]["other"][figure]
             cells.append(f"{number(value['ours'], 3)}\n{_range(value['spread'])}")
         rows.append([name, *cells])
-    titles = [f"{name}: {row['title']}" for name, row in table["rows"].items() if name in VARIANTS]
+    titles = [f" {name}: {row['title']}." for name, row in table["rows"].items() if name in VARIANTS]
     return Grid(
         id,
         "The same under other definitions, and other baselines",
         "Median of the seeds, and below it their range. What the paper leaves open decides some figures: "
         "tau_c by the allocator's map or as the plant's true wrench, the units of d_u, peak instead of RMS "
-        f"deviation, the mapping of S1 and the integral of S3. {'. '.join(titles)}.",
+        f"deviation, the mapping of S1 and the integral of S3.{''.join(titles)}",
         ["", *(label(figure) for figure in kinds)],
         rows,
     )
