@@ -107,7 +107,10 @@ class Picture:
     def _surroundings(self, live: bool) -> None:
         if (plan := self._fresh("plan", pb.Plan)) is not None and self.plan.show(plan):
             self.places.path = self.plan.points
-        if (target := self._fresh("target", pb.Target)) is not None:
+        planned = bool(self._last("mission", pb.MissionStatus).run_id)  # before a run it is all zeros
+        if not planned:
+            self.target.hide()
+        elif (target := self._fresh("target", pb.Target)) is not None:
             self.target.show(target)
             self.places.target = pose.vector(target.position_ned_m)
             self.places.target_heading = radians(target.heading_deg)

@@ -96,6 +96,10 @@ class TargetView:
         self.point.position = self.detail.position = pose.vector(target.observation_point_ned_m)
         self.frame.visible = self.point.visible = self.detail.visible = True
 
+    def hide(self) -> None:
+        """No mission, no target."""
+        self.frame.visible = self.point.visible = self.detail.visible = False
+
     def name(self, target: pb.Target, live: bool) -> None:
         """Approach heading and, while that is known, whether the camera sees the target."""
         words = f"target {target.heading_deg % 360.0:03.0f}°"

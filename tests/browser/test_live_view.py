@@ -41,6 +41,23 @@ def test_the_way_back_after_a_missed_approach_is_no_leg(console: Page, server: C
     expect(console.get_by_label("State", exact=True)).to_contain_text("Legback")
 
 
+def test_before_a_mission_there_is_no_range(console: Page, server: ContractServer) -> None:
+    """Protects: a vehicle without a mission tells zeros, which look like being at the target."""
+    status = pb.MissionStatus(phase=pb.MISSION_PHASE_IDLE)
+    server.keep_saying([*flight.cycle(0.0, pb.MISSION_PHASE_IDLE), ("tlm/mission", status)])
+    expect(console.get_by_label("Range to the observation point – metres")).to_be_visible()
+
+
+def test_a_heading_never_reads_360(console: Page, server: ContractServer) -> None:
+    """Protects the smallest of lies: 359.96° rounds to 0.0, not to a heading that does not exist."""
+    nav = pb.Navigation(stamp=flight.stamp(10.0), attitude=pb.Attitude(yaw_deg=359.97))
+    server.keep_saying([*in_flight(9.9), ("tlm/navigation", nav)])
+    expect(
+        console.get_by_label("State", exact=True).get_by_text("Heading").locator("xpath=..")
+    ).to_contain_text("Heading0.0")
+    expect(console.get_by_test_id("plot-yaw")).to_contain_text("0.0")
+
+
 def test_saturated_and_limited_actuators_are_marked_by_shape(console: Page, server: ContractServer) -> None:
     """Protects the mark that does not rest on colour."""
     server.keep_saying(in_flight(10.0))

@@ -14,6 +14,13 @@ export function signed(value: number | null | undefined, decimals: number): stri
   return value && value > 0 && Number(shown) !== 0 ? `+${shown}` : shown;
 }
 
+/** A heading from 0 up to, but never showing, 360. */
+export function headingOf(degrees: number | null | undefined, decimals: number): string {
+  if (degrees === null || degrees === undefined) return NONE;
+  const rounded = Number((((degrees % 360) + 360) % 360).toFixed(decimals));
+  return fixed(rounded === 360 ? 0 : rounded, decimals);
+}
+
 /** Small and large numbers in few characters: 0.0123, 12.3, 1.2e-6. */
 export function compact(value: number | null | undefined, digits = 3): string {
   if (value === null || value === undefined || !Number.isFinite(value)) return NONE;

@@ -2,7 +2,7 @@
 import { useEffect, useRef } from "preact/hooks";
 import uPlot from "uplot";
 import { Mode } from "../gen/bumpless_pb";
-import { fixed } from "../lib/format";
+import { fixed, headingOf } from "../lib/format";
 import { modeLook } from "../lib/modes";
 import { colour, onTheme } from "../lib/theme";
 import { history } from "../stream/log";
@@ -65,7 +65,7 @@ function showValues(element: HTMLElement, spec: PlotSpec, plot: uPlot): void {
   const index = plot.cursor.idx ?? history.time.length - 1;
   for (const trace of spec.traces) {
     const value = history.columns[trace.column]?.[index];
-    const text = fixed(spec.heading && value != null ? ((value % 360) + 360) % 360 : value, spec.decimals);
+    const text = (spec.heading ? headingOf : fixed)(value, spec.decimals);
     const part = element.querySelector(`.value-${trace.look}`);
     if (part && part.textContent !== text) part.textContent = text;
   }
@@ -135,7 +135,7 @@ function timeSplits(plot: uPlot): number[] {
 function axisTexts(ticks: number[], heading: boolean): string[] {
   const step = Math.abs((ticks[1] ?? 1) - (ticks[0] ?? 0));
   const decimals = Math.min(3, Math.max(0, Math.ceil(-Math.log10(step || 1) - 1e-9)));
-  return ticks.map((tick) => fixed(heading ? ((tick % 360) + 360) % 360 : tick, decimals));
+  return ticks.map((tick) => (heading ? headingOf : fixed)(tick, decimals));
 }
 
 /** Mode as a faint ground under the lines. */

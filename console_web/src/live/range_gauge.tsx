@@ -1,6 +1,7 @@
 // Range to the observation point on an axis with the supervisor's five thresholds.
 import type { Supervisor } from "../gen/bumpless_pb";
 import { fixed } from "../lib/format";
+import { live } from "../stream/store";
 
 interface Threshold {
   value: number;
@@ -22,7 +23,7 @@ function thresholds(s: Supervisor): Threshold[] {
 export function RangeGauge({ supervisor }: { supervisor: Supervisor }) {
   const marks = thresholds(supervisor);
   const top = Math.max(...marks.map((mark) => mark.value)) * 1.3 || 1;
-  const range = supervisor.rangeM;
+  const range = live.latest("tlm/mission")?.missionName ? supervisor.rangeM : NaN; // to nothing, before a mission
   const at = (metres: number): string => `${((100 * Math.min(metres, top)) / top).toFixed(2)}%`;
   const beyond = range > top;
   return (

@@ -53,7 +53,7 @@ function SceneFrame() {
       {seen && <iframe src={`scene/?theme=${shade}`} title="3-D scene of vehicle, path and target" />}
       {look !== "live" && (
         <p class="scene-veil">
-          {look === "waiting" ? "The vehicle appears here as soon as its node speaks." : "Not live"}
+          {look === "waiting" ? "Waiting for the vehicle. Its first start compiles, which takes minutes." : "Not live"}
         </p>
       )}
     </div>

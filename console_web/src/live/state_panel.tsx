@@ -1,6 +1,6 @@
 // Where the vehicle is and how it follows its path, in numbers.
 import type { Guidance } from "../gen/bumpless_pb";
-import { fixed, signed } from "../lib/format";
+import { fixed, headingOf, signed } from "../lib/format";
 import { useFrame } from "../stream/frame";
 import { live } from "../stream/store";
 import { Empty, Panel } from "../ui/panel";
@@ -19,12 +19,11 @@ function Figures() {
   const guidance = live.latest("tlm/guidance");
   if (!nav) return <Empty>The vehicle's estimate appears with the first telemetry.</Empty>;
   const current = nav.currentEstimateNedMps;
-  const heading = nav.attitude && ((nav.attitude.yawDeg % 360) + 360) % 360;
   const cells: [string, string, string][] = [
     ["North", fixed(nav.positionNedM?.x, 1), "m"],
     ["East", fixed(nav.positionNedM?.y, 1), "m"],
     ["Depth", fixed(nav.depthM, 2), "m"],
-    ["Heading", fixed(heading, 1), "°"],
+    ["Heading", headingOf(nav.attitude?.yawDeg, 1), "°"],
     ["Roll", signed(nav.attitude?.rollDeg, 1), "°"],
     ["Pitch", signed(nav.attitude?.pitchDeg, 1), "°"],
     ["Speed", fixed(nav.speedOverGroundMps, 2), "m/s"],
