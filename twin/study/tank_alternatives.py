@@ -13,7 +13,7 @@ from twin.mission import Mission
 from twin.parameters import with_overrides
 from twin.simulation import parameters_for, simulate
 from twin.study.scenarios import Overrides, merged
-from twin.study.tank import GOALS, hover_row
+from twin.study.tank import GOALS, about_reference, hover_row
 from twin.vehicle import Vehicle
 
 
@@ -65,6 +65,20 @@ _OWN_DEPTH_GAINS: Overrides = {
 _FAST = {"reverse_speed_slope_per_s": 0.07, "reverse_speed_offset_mps": 0.07}
 _TOLD: Overrides = {"allocation": {"fault_tolerant": True, "priority": [1.0] * 6, "slack_price": [0.0] * 6}}
 
+_NO_ROLL: Overrides = {
+    "hover": {
+        "kp": [30.0, 0.0, 8.0, 0.0, 40.0, 40.0],
+        "ki": [2.0, 0.0, 0.25, 0.0, 4.0, 4.0],
+        "kd": [0.0, 0.0, 30.0, 0.0, 70.0, 70.0],
+    }
+}
+
+
+def _fins(price: float) -> Overrides:
+    return {"hover": {"r_diagonal": [price] * 4 + [0.02, 0.05, 0.05]}}
+
+
+FIGURES = (*GOALS, "yaw_about_reference_deg")  # what heading costs that is held by keeping still
 AS_FLOWN = Alternative("as flown")
 ALTERNATIVES: tuple[Alternative, ...] = (
     AS_FLOWN,
@@ -75,6 +89,9 @@ ALTERNATIVES: tuple[Alternative, ...] = (
     ),
     Alternative("integrals drained at 0.2 /s", {"allocation": {"anti_windup_per_s": 0.2}}),
     Alternative("a ramp of 12 s into hover instead of 4 s", {"hover": {"ramp_cycles": 240}}),
+    Alternative("fins at the vehicle's price in hover, R = 1 instead of 0.3", _fins(1.0)),
+    Alternative("fins at R = 0.1 in hover", _fins(0.1)),
+    Alternative("no roll gains in hover, where S1 has only its fins for them", _NO_ROLL),
     Alternative("small depth gains in F and R, which let the descent lag", _OWN_DEPTH_GAINS),
     Alternative("hovering along the estimated current", {"guidance": {"crab_gain": 1.0}}),
     Alternative("the allocator told of the worn actuators", allocators=_TOLD),
@@ -91,19 +108,20 @@ ALTERNATIVES: tuple[Alternative, ...] = (
 def hover_figures(
     alternative: Alternative, missions: Mapping[str, Mission], vehicle: Vehicle, seeds: Sequence[int]
 ) -> dict[str, NDArray[np.float64]]:
-    """By scenario: rows of the goals' figures, one a seed, NaN where hover was never reached."""
+    """By scenario: rows of FIGURES, one a seed."""
     out = {}
     for label, mission in missions.items():
         changed = alternative.mission(mission)
         extra = merged(alternative.shared, alternative.allocators if label != "S1" else {})
         parameters = with_overrides(parameters_for(vehicle, changed), extra)
-        rows = [hover_row(simulate(changed, vehicle, parameters, seed=seed)) for seed in seeds]
-        out[label] = np.array(rows)[:, list(GOALS.values())]
+        runs = [simulate(changed, vehicle, parameters, seed=seed) for seed in seeds]
+        rows = [[hover_row(run)[k] for k in GOALS.values()] + [about_reference(run)[3]] for run in runs]
+        out[label] = np.array(rows)
     return out
 
 
 def changes(figures: Mapping[str, NDArray[np.float64]]) -> dict[str, dict[str, float]]:
-    """Goal -> scenario -> mean over the seeds against S1's, minus 1."""
+    """Figure -> scenario -> mean over the seeds against S1's, minus 1."""
     base = figures["S1"].mean(axis=0)
     return {
         goal: {
@@ -111,5 +129,5 @@ def changes(figures: Mapping[str, NDArray[np.float64]]) -> dict[str, dict[str, f
             for label, rows in figures.items()
             if label != "S1"
         }
-        for k, goal in enumerate(GOALS)
+        for k, goal in enumerate(FIGURES)
     }
