@@ -41,11 +41,13 @@ def test_the_way_back_after_a_missed_approach_is_no_leg(console: Page, server: C
     expect(console.get_by_label("State", exact=True)).to_contain_text("Legback")
 
 
-def test_before_a_mission_there_is_no_range(console: Page, server: ContractServer) -> None:
-    """Protects: a vehicle without a mission tells zeros, which look like being at the target."""
+def test_before_a_mission_nothing_is_near_or_solved(console: Page, server: ContractServer) -> None:
+    """Protects: a vehicle without a mission tells zeros, which look like having arrived."""
     status = pb.MissionStatus(phase=pb.MISSION_PHASE_IDLE)
     server.keep_saying([*flight.cycle(0.0, pb.MISSION_PHASE_IDLE), ("tlm/mission", status)])
     expect(console.get_by_label("Range to the observation point – metres")).to_be_visible()
+    allocation = console.get_by_label("Allocation", exact=True)
+    expect(allocation).not_to_contain_text("Solved")  # nothing was
 
 
 def test_a_heading_never_reads_360(console: Page, server: ContractServer) -> None:

@@ -1,13 +1,14 @@
 // The allocator's own account of this cycle: status, optimality, residual, time.
-import { SolveStatus } from "../gen/bumpless_pb";
+import { MissionPhase, SolveStatus } from "../gen/bumpless_pb";
 import { compact, fixed } from "../lib/format";
 import { colour } from "../lib/theme";
 import { history } from "../stream/log";
 import { useFrame } from "../stream/frame";
 import { live } from "../stream/store";
-import { AlarmIcon, CheckIcon, WarningIcon } from "../ui/icons";
+import { AlarmIcon, CheckIcon, HollowIcon, WarningIcon } from "../ui/icons";
 import { Empty, Panel } from "../ui/panel";
 import { Canvas } from "./canvas";
+import { phaseNow } from "./link_state";
 import { firstIndex, shown } from "./time_axis";
 
 const STATUS: Record<SolveStatus, { name: string; look: string; about: string; Icon: typeof CheckIcon }> = {
@@ -39,6 +40,9 @@ function Status() {
   useFrame();
   const allocation = live.latest("tlm/allocation");
   if (!allocation) return null;
+  if (phaseNow() === MissionPhase.IDLE) {
+    return <span class="chip" data-look="off" title="Nothing is allocated before a mission"><HollowIcon size={11} /> Idle</span>;
+  }
   const { name, look, about, Icon } = STATUS[allocation.status];
   const state = live.isFresh("tlm/allocation") ? "fresh" : "stale";
   return <span class="chip" data-look={look} data-state={state} title={about}><Icon /> {name}</span>;
