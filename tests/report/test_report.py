@@ -200,7 +200,7 @@ def test_every_shortfall_has_its_reason_and_its_numbers() -> None:
     assert len(lines) == 2
     for told in ("28 %", CAUSES[name][1:], "noise 1 against 0", "55 % of 40 plants at price 0.1", "80 %"):
         assert told in lines[0], told
-    assert "does not contract" in lines[1] and "the vehicle's east" in lines[1]
+    assert "does not contract" in lines[1] and "the vehicle's position east" in lines[1]
     assert set(CAUSES) <= {goal.name for goal in GOALS}
 
 

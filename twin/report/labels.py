@@ -65,7 +65,7 @@ def _label(name: str) -> str:
     return f"{' '.join(_WORDS.get(word, word) for word in words[:-1])} ({_UNITS[words[-1]]})"
 
 
-_AXES = ("north", "east", "depth", "roll", "pitch", "heading")
+_AXES = ("position north", "position east", "depth", "roll", "pitch", "heading")
 _ERRORS = ("surge", "sway", "depth", "roll", "pitch", "heading")
 
 

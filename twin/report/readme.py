@@ -144,11 +144,16 @@ def _tank(part: dict[str, Any]) -> str:
 def _ground(parts: dict[str, Any]) -> str:
     remus, physics, fit = (parts[name]["numbers"] for name in ("remus", "physics", "identify"))
     known, open_ = fit["determined"], fit["undetermined"]
+    more = ", and a reason for each of the others"
+    if "explained" in remus:
+        more = (
+            f", {remus['explained']} more under another reading of the thesis, and say why the others differ"
+        )
     return (
         f"**Ground.** {physics['passed']} of {physics['checks']} cross-checks of the plant pass (energy, "
         "symmetry, order of the integrator, SciPy's rotations, an independent root finder). Fed with REMUS, "
         f"the hydrodynamics give {remus['within_5_percent']} of {remus['coefficients']} of the thesis' "
-        "coefficients within 5 %, and a reason for each of the others. Table 3 determines "
+        f"coefficients within 5 %{more}. Table 3 determines "
         f"{len(known)} of {len(known) + len(open_)} vehicle parameters; not {', '.join(open_)}."
     )
 

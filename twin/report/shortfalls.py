@@ -19,6 +19,7 @@ _ON_AXIS = (
     "the screw that fails lies on the axis and makes neither pitch nor yaw moment, so knowing its fault "
     "hardly changes what the four fins can do"
 )
+SIDEWAYS = "plant.eta[1]"
 WHERE = "where it fails: means of the failing plants against the others, each number scaled to −1 … 1"
 CAUSES: dict[str, str] = {
     "S4<=S2 e_tau": _SLOWED,
@@ -64,11 +65,11 @@ def _price(name: str, parts: Document) -> list[str]:
         for point in curve["points"]
         if name in point["goals"] and (ratio := point["goals"][name]["ratio"]) is not None
     ]
-    others = ", ".join(f"{words(other)} on {share(of)}" for other, of in top["others"].items())
+    others = " and ".join(f"{words(other)} holds on {share(of)}" for other, of in top["others"].items())
     return [
         f"along the trade-off curves its median change stays between {change(min(ratios))} and "
         f"{change(max(ratios))}; the best point is {share(top['share'])} of {numbers['plants']} plants at "
-        f"{titles[top['curve']]} {number(float(top['at']), 3)}, where {others} hold"
+        f"{titles[top['curve']]} {number(float(top['at']), 3)}, where {others}"
     ]
 
 
@@ -115,6 +116,8 @@ def _stability(parts: Document) -> list[str]:
             mode = max(radius, key=radius.__getitem__)
             slowest = parts["stability"]["numbers"][row[0]].get("slowest_in")
             where = f", slowest in {coordinate(slowest[mode])}" if slowest else ""
+            if slowest and slowest[mode] == SIDEWAYS:
+                where += ", for nothing pushes it sideways"
             reason = (
                 f"no dwell is proven enough, for the loop linearised in {mode} does not contract (spectral "
                 f"radius {radius[mode]:.6f}{where})"

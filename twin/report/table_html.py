@@ -28,6 +28,8 @@ def _comparison(table: Comparison) -> str:
         cells = []
         for k in range(len(table.columns)):
             around = None if spread is None else spread[k]
+            if around is not None and abs(around) < 1e-9 * abs(ours[k] or 1.0):
+                around = 0.0  # all alike but for rounding
             wide = "" if around is None else f" <small>±{number(float(around), 2)}</small>"
             change = percent(relative_change(paper[k], ours[k]))
             cells.append(
@@ -41,7 +43,7 @@ def _comparison(table: Comparison) -> str:
 
 
 _NUMBER = r"[−+\-]?[\d ,.]+(e[−+\-]?\d+)?( ?[%s°])?"
-NUMERIC = re.compile(rf"^({_NUMBER}( … {_NUMBER})?|[<>] [−+\d ]+%|–)?$")
+NUMERIC = re.compile(rf"^({_NUMBER}( […/] {_NUMBER})?|[<>] [−+\d ]+%|–)?$")
 
 
 def _grid(table: Grid) -> str:
