@@ -37,6 +37,7 @@ class Curve:
     values: tuple[float, ...]
     at: Callable[[Parameters, float], Overrides]
     in_use: Callable[[Parameters], float]
+    log: bool = True  # whether the parameter is shown on a logarithmic axis
 
 
 def _price(_: Parameters, value: float) -> Overrides:
@@ -54,6 +55,10 @@ def _priority(component: int) -> Callable[[Parameters, float], Overrides]:
         return {"allocation": {"priority": weights}}
 
     return at
+
+
+def _priorities(p: Parameters, exponent: float) -> Overrides:
+    return {"allocation": {"priority": [float(w) ** exponent for w in p.allocation.priority]}}
 
 
 def _fins(p: Parameters, factor: float) -> Overrides:
@@ -89,6 +94,17 @@ CURVES: tuple[Curve, ...] = (
         (10.0, 20.0, 40.0, 80.0, 160.0),
         _ramp,
         lambda p: float(p.reverse.ramp_cycles),
+    ),
+    Curve(
+        "priorities",
+        "exponent on all priorities of S6 (0: all equal, 1: in use)",
+        "How much the order of the wrench's components matters after the fault: none, in use, stronger.",
+        FAULT,
+        ("S6",),
+        (0.0, 0.25, 0.5, 0.75, 1.0, 1.25),
+        _priorities,
+        _one,
+        log=False,
     ),
     Curve(
         "pitch_priority",

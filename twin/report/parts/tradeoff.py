@@ -53,8 +53,8 @@ def _figure(curve: Curve, flown: dict[str, Any]) -> Figure:
         f"{curve.about} Left: share of plants on which the goal holds; right: the median plant's ratio over "
         "the goal's limit, below 1 is better than wanted.",
         [
-            Panel(curve.parameter, "holds on (% of plants)", shares, marks=marks, log_x=True),
-            Panel(curve.parameter, "median ratio / limit", medians, marks=marks, log_x=True, log_y=True),
+            Panel(curve.parameter, "holds on (% of plants)", shares, marks=marks, log_x=curve.log),
+            Panel(curve.parameter, "median ratio / limit", medians, marks=marks, log_x=curve.log, log_y=True),
         ],
         2,
     )
