@@ -1,6 +1,6 @@
-"""The closed loop, compiled: one cycle for the live node, a whole run for everything else.
+"""The closed loop, compiled: one cycle at a time for the live node, a whole run for everything else.
 
-Both call the same functions, so what is fast is also what flies.
+Both are the same function, `fly`, so what is fast is also what flies.
 """
 
 from math import hypot, nan
@@ -111,31 +111,52 @@ def closed_loop(
 
 
 @jit
-def run_batch(
-    handle, settings, modes, sensors, plan, truth, model, plant_model, plant, m, a, w, noise, log, work
+def fly(
+    handle,
+    settings,
+    modes,
+    sensors,
+    plan,
+    truth,
+    model,
+    plant_model,
+    plant,
+    m,
+    a,
+    w,
+    phase,
+    change,
+    noise,
+    log,
+    work,
 ):
-    """Fly up to len(log) cycles from a started mission. Returns (rows written, phase at the end)."""
-    phase = RUNNING
+    """Up to len(log) cycles, ending with the one that changes the phase: (rows written, phase after them).
+
+    The records come as arrays of one, noise is (len(log), N_NOISE). Handed over as records they cost the
+    live cycle four times what it takes to fly: NumPy describes each of some 300 fields at each call.
+    """
+    begun = phase
     for k in range(log.shape[0]):
         phase = closed_loop(
             handle,
-            settings,
+            settings[0],
             modes,
-            sensors,
-            plan,
-            truth,
-            model,
-            plant_model,
-            plant,
-            m,
-            a,
-            w,
+            sensors[0],
+            plan[0],
+            truth[0],
+            model[0],
+            plant_model[0],
+            plant[0],
+            m[0],
+            a[0],
+            w[0],
             phase,
-            0,
+            change,
             noise[k],
             log[k],
             work,
         )
-        if phase != RUNNING:
+        change = 0
+        if phase != begun:
             return k + 1, phase
     return log.shape[0], phase
