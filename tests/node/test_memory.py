@@ -1,0 +1,54 @@
+"""What the node's threads hold does not grow with the length of a run."""
+
+import gc
+import tracemalloc
+from pathlib import Path
+
+from twin.contract import bumpless_pb2 as pb
+from twin.mission import parse_mission
+from twin.node.flight import Flight
+from twin.node.loop import ControlLoop
+from twin.node.pacing import FreeClock
+from twin.node.ring import Cycle, Ring
+from twin.simulation import Twin
+from twin.telemetry import Teller
+from twin.vehicle import load_vehicle
+
+DOCKING = Path(__file__).parents[2] / "missions" / "docking.yaml"
+MINUTE = 1200  # cycles
+
+
+def test_five_minutes_hold_no_more_memory_than_one():
+    """Protects: a vehicle that flies for days; every row, event and message is let go of."""
+    vehicle = load_vehicle("ts100")
+    twin, ring = Twin(vehicle), Ring()
+    flight = Flight(twin)
+    loop = ControlLoop(flight, FreeClock(round(twin.period_s * 1e9)), ring)
+    teller = Teller(vehicle, twin.parameters)
+    said = [0, 0]
+
+    def tell(cycle: Cycle) -> None:
+        for _, message in teller.tell(cycle.row, cycle.state, cycle.events, cycle.time_ns, cycle.number):
+            said[0] += 1
+            said[1] += len(message.SerializeToString(deterministic=True))
+
+    def fly(cycles: int) -> int:
+        """Bytes held by Python and NumPy after so many more cycles, again and again on the same mission."""
+        for _ in range(cycles):
+            if twin.phase != pb.MISSION_PHASE_RUNNING:
+                flight.start(mission, None, twin.parameters, "run")
+            loop._cycle()
+            ring.take_all(tell)
+        gc.collect()
+        return tracemalloc.get_traced_memory()[0]
+
+    mission = parse_mission(DOCKING.read_text(encoding="utf-8"), DOCKING.name, vehicle)
+    fly(20)  # what is imported and cached once
+    tracemalloc.start()
+    try:
+        after_one = fly(MINUTE)
+        after_five = fly(4 * MINUTE)
+    finally:
+        tracemalloc.stop()
+    assert loop.cycles == 20 + 5 * MINUTE and said[0] > 8 * loop.cycles
+    assert after_five - after_one < 20_000
