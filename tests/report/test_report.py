@@ -22,7 +22,7 @@ from twin.report.shortfalls import CAUSES, shortfalls
 from twin.report.solid import solid_svg
 from twin.report.summary import summary_html
 from twin.report.table_html import table_html
-from twin.report.ticks import number, percent, ticks
+from twin.report.ticks import decades, number, percent, ticks
 from twin.study.goals import GOALS
 from twin.study.tank import about_mean, segments, steps
 from twin.study.tradeoff import CURVES
@@ -69,6 +69,8 @@ def test_the_csv_beside_a_figure_has_every_point() -> None:
 
 def test_numbers_are_written_as_people_do() -> None:
     """Protects: ticks are round, missing is a dash, changes carry their sign."""
+    assert decades(0.05, 2000.0) == [0.1, 1.0, 10.0, 100.0, 1000.0]
+    assert decades(0.3, 4.0) == [0.5, 1.0, 2.0]
     assert ticks(0.0, 1.0, 5) == pytest.approx([0.0, 0.2, 0.4, 0.6, 0.8, 1.0])
     assert number(None) == "–"
     assert number(-0.123456) == "−0.1235"

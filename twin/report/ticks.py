@@ -16,10 +16,16 @@ def ticks(low: float, high: float, count: int = 6) -> list[float]:
 
 
 def decades(low: float, high: float) -> list[float]:
-    """Powers of ten within [low, high]."""
-    return [
-        10.0**k for k in range(math.ceil(math.log10(low) - 1e-9), math.floor(math.log10(high) + 1e-9) + 1)
+    """Powers of ten within [low, high]; with 2 and 5 times them where the range holds fewer than three."""
+    first, last = math.floor(math.log10(low)), math.ceil(math.log10(high))
+    within = [
+        m * 10.0**k
+        for k in range(first, last + 1)
+        for m in (1.0, 2.0, 5.0)
+        if low * (1 - 1e-9) <= m * 10.0**k <= high * (1 + 1e-9)
     ]
+    powers = [value for value in within if abs(math.log10(value) % 1.0) < 1e-9]
+    return powers if len(powers) >= 3 else within
 
 
 def number(value: object, digits: int = 4) -> str:

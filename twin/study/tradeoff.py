@@ -78,7 +78,7 @@ CURVES: tuple[Curve, ...] = (
     Curve(
         "price",
         "price of increments while the ramp lasts",
-        "Smooth commands at a switch are paid for with wrench error: S4 <= S2 in e_tau against d_u.",
+        "Smooth commands at a switch are paid for with wrench error: S4 ≤ S2 in e_τ against d_u.",
         BUMPLESS,
         ("S4",),
         (0.1, 1.0, 3.0, 10.0, 30.0, 100.0),
