@@ -41,7 +41,10 @@ def results_text(document: dict[str, Any]) -> str:
         blocks.append(_readings(parts["robustness"]))
     if "extensions" in parts:
         blocks.append(_extensions(parts["extensions"]))
-    blocks += [_scenarios(parts), _tank(parts["tank"]), _ground(parts), _short(parts)]
+    blocks.append(_scenarios(parts))
+    if "diagnosis" in parts:
+        blocks.append(diagnosis_text(parts["diagnosis"]))
+    blocks += [_tank(parts["tank"]), _ground(parts), _short(parts)]
     return "\n\n".join(blocks) + "\n"
 
 
@@ -121,6 +124,28 @@ def _scenarios(parts: dict[str, Any]) -> str:
         head = ["paper / ours", *(label(column) for column in table["columns"])]
         out.append(f"**{title}**\n\n{_markdown(head, _comparison(table))}")
     return "\n\n".join(out)
+
+
+def diagnosis_text(part: dict[str, Any]) -> str:
+    """Markdown: what `twin.study.diagnosis` found of S7."""
+    n = part["numbers"]
+    head = ["S7", "found", "named rightly", "delay, median (s)", "90 %", "error, median", "90 %"]
+    rows = []
+    for plants, key in (("nominal, five seeds", "nominal"), ("tuned on", "tuned"), ("never seen", "unseen")):
+        s = n[key]
+        delay, error = (
+            [number(s[k][q], 2) if s[k][q] is not None else "not found" for q in ("median", "q90")]
+            for k in ("delay_s", "error")
+        )
+        rightly = share(s["isolated"] / s["found"] if s["found"] else None)
+        rows.append([plants, f"{s['found']} of {s['flights']}", rightly, *delay, *error])
+    told = n["plant_figures"]["rms_e_tau_post_true"]
+    return (
+        "**S7, the fault of Table 7 found by the autopilot itself** on plants that its numbers were tuned on "
+        f"and on plants they never saw; {n['false_alarms']} false alarms in {n['healthy_hours']:.1f} hours "
+        f"without a fault. e_τ after it, median change from S5: S6 {percent(told['S6/S5'] - 1.0)}, S7 "
+        f"{percent(told['S7/S5'] - 1.0)}.\n\n" + _markdown(head, rows)
+    )
 
 
 def _tank(part: dict[str, Any]) -> str:

@@ -10,7 +10,7 @@ from twin.report.ticks import share
 
 GLOSSARY: tuple[tuple[str, str], ...] = (
     ("F, R, H", "modes: forward, reverse (braking towards the target), hover"),
-    ("S1 … S6", "scenarios, which differ in allocator, switching and fault handling only"),
+    ("S1 … S7", "scenarios, which differ in allocator, switching and fault handling only"),
     ("τ_d, τ_c", "demanded wrench; wrench by the allocator's map at the commands (N and N·m)"),
     ("e_τ", "τ_d minus the achieved wrench; its norm mixes N and N·m, as in the paper"),
     ("u", "commands: fin deflections and shaft speeds"),
@@ -60,6 +60,13 @@ def findings(parts: Mapping[str, Any]) -> list[str]:
                 if c["paper"] is not None
             )
             out.append(f"{table}, nominal plant: {told}.")
+    if "diagnosis" in n:
+        d, s = n["diagnosis"], n["diagnosis"]["unseen"]
+        out.append(
+            f"S7: the autopilot finds the propeller's fault by itself on {s['found']} of {s['flights']} "
+            f"plants that it was not tuned on, and names another actuator on {s['found'] - s['isolated']}; "
+            f"{d['false_alarms']} false alarms in {d['healthy_hours']:.1f} hours without a fault."
+        )
     if "remus" in n:
         r = n["remus"]
         out.append(

@@ -63,6 +63,7 @@ class Plant:
     noise: float = 1.0
     fault_time: float | None = None
     fault_effectiveness: float | None = None
+    fault_actuator: int | None = None  # another than the mission's
     thrust: float = 1.0
     fin_lift: float = 1.0
 
@@ -77,6 +78,8 @@ class Plant:
             truth["fault_time"][0] = self.fault_time
         if truth["n_faults"] > 0 and self.fault_effectiveness is not None:
             truth["fault_effectiveness"][0] = self.fault_effectiveness
+        if truth["n_faults"] > 0 and self.fault_actuator is not None:
+            truth["fault_actuator"][0] = self.fault_actuator
         model["r_b"][0] += self.trim_x
         model["r_b"][1] += self.trim_y
         model["buoyancy"] += self.net_buoyancy
@@ -106,7 +109,7 @@ NOMINAL = Plant()
 def draw(number: int) -> Plant:
     """Plant `number` of the distribution: independent uniform shares from its own random stream."""
     shares = np.random.Generator(np.random.PCG64([20260514, number])).random(len(DISTRIBUTION))
-    values = {
+    values: dict[str, Any] = {
         name: spread.at(float(x)) for (name, spread), x in zip(DISTRIBUTION.items(), shares, strict=True)
     }
     return Plant(number=number, **values)
