@@ -9,6 +9,7 @@ from math import exp, hypot
 from twin.actuators import total_wrench
 from twin.allocation.baselines import allocate_direct, allocate_wls
 from twin.allocation.bounds import any_active, command_bounds
+from twin.allocation.easing import missed_wrench
 from twin.allocation.mdca import INFEASIBLE, REFUSED, allocate_mdca
 from twin.clock import monotonic
 from twin.compiled import jit
@@ -84,7 +85,15 @@ def allocate(handle, settings, model, a, w):
     started = monotonic()  # pyright: ignore[reportCallIssue]
     feasible = command_bounds(model, a.u, settings.dt * a.step_share, a.u_lower, a.u_upper, a.du_max)
     if settings.allocator == MDCA:
+        for k in range(6):
+            w.demand[k] = a.tau_d[k]
+        if settings.easing_made_up == 1:
+            missed_wrench(model, a.u, a.effectiveness, w.missed)
+            for k in range(6):
+                a.tau_d[k] += w.missed[k]
         allocate_mdca(handle, settings, model, a, w)
+        for k in range(6):
+            a.tau_d[k] = w.demand[k]
     elif settings.allocator == WLS:
         allocate_wls(model, a, w)
     else:
@@ -149,11 +158,11 @@ def autopilot_step(handle, settings, modes, sensors, plan, model, m, a, w, chang
     if change == 1:
         begin_ramp(settings, gains, a)
     a.kappa = transition_factor(settings, a)
+    believe_faults(settings, plan, a)
     demand(settings, gains, a)
     for k in range(6):
         a.tau_plus[k] *= model.controllable[k]
     blend(settings, gains, a)
-    believe_faults(settings, plan, a)
     soften(settings, a)
     allocate(handle, settings, model, a, w)
     in_place = a.mode == HOVER and a.holding == 0 and a.range <= settings.d_rh_u

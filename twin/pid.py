@@ -59,10 +59,18 @@ def gain_share(settings, a):
 
 
 @inline
+def after_fault(settings, a, which, i):
+    """Factor on K_P, K_I or K_D (which 0, 1, 2) of channel i: 1 until a fault is known, then blended in."""
+    return 1.0 + a.fault_share * (settings.fault_gains[which, i] - 1.0)
+
+
+@inline
 def proportional(settings, gains, a, i):
     """K_P e + K_D e' of channel i, gains scheduled."""
     share = 1.0 + settings.scheduled[i] * (a.schedule - 1.0)
-    return share * (gains.K_P[i] * a.smooth_error[i] + gains.K_D[i] * a.smooth_rate[i])
+    k_p = gains.K_P[i] * after_fault(settings, a, 0, i)
+    k_d = gains.K_D[i] * after_fault(settings, a, 2, i)
+    return share * (k_p * a.smooth_error[i] + k_d * a.smooth_rate[i])
 
 
 @jit
@@ -74,7 +82,7 @@ def demand(settings, gains, a):
     for i in range(6):
         share = 1.0 + settings.scheduled[i] * (a.schedule - 1.0)
         room = share if settings.schedule_limits == 1 else 1.0
-        rate = speed * share * gains.K_I[i] * a.smooth_error[i]
+        rate = after_fault(settings, a, 1, i) * speed * share * gains.K_I[i] * a.smooth_error[i]
         if a.saturated == 1 and gains.K_I[i] > 0.0:
             rate -= settings.anti_windup * (a.tau_d[i] - a.tau_c[i])
         a.integral[i] = clip(a.integral[i] + settings.dt * rate, room * gains.integral_limit[i])

@@ -58,7 +58,7 @@ SETTINGS = np.dtype(
         ("scale_integration", i8),  # 1: integration is scaled by kappa during the ramp
         ("integral_at_switch", i8),  # KEEP, RESCALE, RESET of what is not aligned
         ("ramp_increment_share", f8),  # of du_max at kappa = 0, growing to 1 with kappa^4
-        ("ramp_increment_price", f8),  # extra weight of ||x - x_prev||^2 at kappa = 0, fading to 0
+        ("ramp_increment_price", f8),  # extra weight of ||u - u_prev||^2 at kappa = 0, fading to 0
         # allocation
         ("allocator", i8),  # MDCA, WLS, PID_DIRECT
         ("sqp_iterations", i8),
@@ -68,11 +68,13 @@ SETTINGS = np.dtype(
         ("fault_evidence", f8),  # log-likelihood ratio that raises an alarm
         ("effectiveness_blend", f8),  # s over which a diagnosed loss is blended in
         ("anti_windup", f8),  # 1/s, feedback of the allocation residual into the integrals
-        ("increment_price", f8),  # weight of ||x - x_prev||^2; 0 as published
+        ("increment_price", f8),  # weight of ||u - u_prev||^2; 0 as published
         ("direct_map", i8),  # S1: THRUST_LINEAR, SPEED_LINEAR
         ("degraded_map", i8),  # fault tolerance: allocate with the effectiveness as it is
         ("priority", f8, 6),  # factors on Q once a fault is known
         ("slack_price", f8, 6),  # P of the slack on each wrench component; 0 allows none
+        ("easing_made_up", i8),  # 1: thrust that eased screws missed is asked for in the next cycle
+        ("fault_gains", f8, (3, 6)),  # factors on K_P, K_I, K_D once a fault is known
         # guidance
         ("law", i8),  # ALOS of eq. (41), AALOS of Fossen and Aguiar 2024
         ("look_ahead", f8),  # Delta, m
@@ -289,7 +291,9 @@ ALLOCATION_WORK = np.dtype(
         ("H", f8, (_n, _n)),
         ("jacobian", f8, (6, _n)),
         ("tau", f8, 6),
+        ("price", f8, _n),
         ("demand", f8, 6),
+        ("missed", f8, 6),
         ("channel", f8, 6),
         ("flow", f8, 6),
     ],

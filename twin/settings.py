@@ -42,6 +42,8 @@ def fill_settings(out: np.ndarray, vehicle: Vehicle, parameters: Parameters) -> 
     s["effectiveness_blend"] = alloc.effectiveness_blend_s
     s["increment_price"], s["direct_map"] = alloc.increment_price, DIRECT_MAPS[alloc.direct_map]
     s["degraded_map"], s["priority"], s["slack_price"] = alloc.degraded_map, alloc.priority, alloc.slack_price
+    s["fault_gains"] = alloc.fault_kp, alloc.fault_ki, alloc.fault_kd
+    s["easing_made_up"] = alloc.easing_made_up
     s["law"], s["look_ahead"], s["gamma"] = LAWS[guide.law], guide.look_ahead_m, guide.adaptation_gain
     s["pitch_look_ahead"], s["pitch_gamma"] = guide.pitch_look_ahead_m, guide.pitch_adaptation_gain
     s["pitch_max"], s["speed_min"] = radians(guide.pitch_max_deg), guide.speed_min_mps

@@ -5,6 +5,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from twin import records
+from twin.pid import proportional
 from twin.switching import report_slack, soften
 
 weight = st.floats(0.01, 50.0)
@@ -41,3 +42,17 @@ def test_nothing_is_softened_before_a_fault() -> None:
     soften(s, a)
     report_slack(s, a)
     assert np.array_equal(a["Q"], 3.0 * a["Q_mode"]) and not a["slack"].any()
+
+
+def test_gains_change_once_a_fault_is_known() -> None:
+    """Protects: S6 flies S4's gains until the fault is known; then factors on them are blended in."""
+    s, a = np.zeros(1, records.SETTINGS)[0], np.zeros(1, records.AUTOPILOT)[0]
+    gains = np.zeros(1, records.MODE_CONTROL)[0]
+    s["fault_gains"] = [[8.0] * 6, [1.0] * 6, [6.0] * 6]
+    gains["K_P"], gains["K_D"] = 2.0, 3.0
+    a["smooth_error"], a["smooth_rate"], a["schedule"] = 0.5, 0.1, 1.0
+    demanded = []
+    for share in (0.0, 0.5, 1.0):
+        a["fault_share"] = share
+        demanded.append(proportional(s, gains, a, 4))
+    np.testing.assert_allclose(demanded, [1.3, 4.5 * 1.0 + 3.5 * 0.3, 8 * 1.0 + 6 * 0.3])

@@ -4,7 +4,7 @@ u* = argmin ||tau_d - G_m(u)||_Q^2 + lambda ||u||_R^2 over the cycle's bounds, e
 Gao et al. 2026, in the decision variables of `wrench_map`. Each step solves a box QP; a step is
 accepted only if the true cost falls (backtracking on eta_j), so that the answer is never worse than
 the projected start.
-Beyond the paper: a price mu ||x - x_prev||^2 on increments, zero unless it is asked for; and the fins'
+Beyond the paper: a price mu ||u - u_prev||^2 on increments of the commands over their bounds; and the fins'
 second-order term (`curvature`), in the QP where it leaves that convex, and as a way out of a saddle.
 """
 
@@ -17,6 +17,7 @@ from twin.allocation.qp_active_set import solve_active_set
 from twin.allocation.qp_status import SOLVED as QP_SOLVED
 from twin.allocation.wrench_map import to_command, to_x, wrench_map
 from twin.compiled import jit
+from twin.records import FIN
 
 SOLVED, BUDGET_SPENT, INFEASIBLE, FALLBACK, REFUSED = 1, 2, 3, 4, 5  # SolveStatus of the contract
 _BACKTRACKS = 6
@@ -24,26 +25,38 @@ _ESCAPES = 3  # looks for a way out of a saddle, per cycle
 _NEAR = 1e-3  # KKT residual from which a saddle is looked for: Newton's steps towards one are wasted
 _ROOM = 1e-6  # share of its range that a command must have on both sides to count as free
 _ROUNDING = 1e-12  # share of the cost that no step can gain any more
+_LEAST = 1e-3  # thrust share at which a screw that is not eased counts as one that is, in the price
 _HOLD = 1.0  # s for which the last command is held when demands are refused
 
 
 @jit
-def increment_cost(mu, x, x_previous, n):
-    """mu ||x - x_prev||^2, and nothing at all for mu = 0."""
+def increment_prices(model, mu, x_previous, n, price):
+    """price (8,) = mu (du/dx)^2 at the last command: what an increment of x costs, so that mu prices those of
+    commands over their bounds. A screw near zero, where its speed changes fastest, pays most."""
+    for i in range(n):
+        slope = 1.0
+        if mu > 0.0 and model.kind[i] != FIN:
+            y = x_previous[i] ** 2
+            z = max(model.smoothing, _LEAST) ** 2
+            slope = (0.5 * y + z) / (y + z) ** 1.25
+        price[i] = mu * slope * slope
+
+
+@jit
+def increment_cost(price, x, x_previous, n):
+    """Sum of price (x - x_prev)^2."""
     cost = 0.0
-    if mu > 0.0:
-        for i in range(n):
-            cost += mu * (x[i] - x_previous[i]) ** 2
+    for i in range(n):
+        cost += price[i] * (x[i] - x_previous[i]) ** 2
     return cost
 
 
 @jit
-def price_increments(mu, x, x_previous, n, H, g):
-    """Add the increments' price to the (halved) normal equations."""
-    if mu > 0.0:
-        for i in range(n):
-            H[i, i] += mu
-            g[i] += mu * (x[i] - x_previous[i])
+def price_increments(price, x, x_previous, n, H, g):
+    """Add the increments' prices to the (halved) normal equations."""
+    for i in range(n):
+        H[i, i] += price[i]
+        g[i] += price[i] * (x[i] - x_previous[i])
 
 
 @jit
@@ -97,7 +110,7 @@ def cost_at(model, a, w, x, n):
     """Cost of this cycle's problem at x (8,); w.tau and w.jacobian are filled."""
     wrench_map(model, x, w.u_previous, a.effectiveness, a.nu_r, w.tau, w.jacobian)
     cost = allocation_cost(a.Q, a.R, a.lam, a.tau_d, w.tau, x, n)
-    return cost + increment_cost(a.increment_price, x, w.x_previous, n)
+    return cost + increment_cost(w.price, x, w.x_previous, n)
 
 
 @jit
@@ -164,13 +177,14 @@ def allocate_mdca(handle, settings, model, a, w):
         w.x_previous[i] = to_x(model, i, a.u[i])
         start = w.x_previous[i] if settings.project == 1 else 0.0
         x[i] = min(max(start, lower[i]), upper[i])
+    increment_prices(model, a.increment_price, w.x_previous, n, w.price)
     cost = cost_at(model, a, w, x, n)
     fallback = False
     a.iterations, a.kkt = 0, 0.0
     escapes = 0
     while True:
         normal_equations(a.Q, a.R, a.lam, a.tau_d, w.tau, w.jacobian, x, n, w.H, w.g)
-        price_increments(a.increment_price, x, w.x_previous, n, w.H, w.g)
+        price_increments(w.price, x, w.x_previous, n, w.H, w.g)
         add_curvature(model, a, w, x, n)
         for i in range(n):
             step[i] = 0.0

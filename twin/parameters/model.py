@@ -72,7 +72,7 @@ class BumplessParameters:
     scale_integration: bool = False
     integral_at_switch: IntegralAtSwitch = "keep"  # K_I e_I kept, e_I kept (so K_I e_I rescaled), or reset
     ramp_increment_share: float = 1.0  # of du_max at kappa = 0, growing to 1 with kappa^4
-    ramp_increment_price: float = 0.0  # weight of ||x - x_prev||^2 at kappa = 0, fading with kappa
+    ramp_increment_price: float = 0.0  # weight of ||u - u_prev||^2 at kappa = 0, fading with kappa
 
 
 @dataclass(frozen=True)
@@ -88,12 +88,16 @@ class AllocationParameters:
     fault_evidence: float = 10.0  # log-likelihood ratio from which an estimated loss is a fault
     effectiveness_blend_s: float = 2.0  # over which an estimated loss reaches the allocator
     anti_windup_per_s: float = 1.0  # feedback of the allocation residual into the integrals
-    increment_price: float = 0.0  # weight of ||x - x_prev||^2, on bound-normalised commands
+    increment_price: float = 0.0  # weight of ||u - u_prev||^2, commands over their bounds
     shaft_smoothing: float = 0.0  # thrust share below which a screw is eased through zero
     direct_map: DirectMap = "thrust"  # pid_direct: demand to thrust, or straight to shaft speed
     degraded_map: bool = True  # fault tolerance: use the effectiveness as it is
     priority: tuple[float, ...] = (1.0, 1.0, 1.0, 1.0, 1.0, 1.0)  # fault tolerance: factors on Q, shape (6,)
     slack_price: tuple[float, ...] = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)  # fault tolerance: P; 0 allows no slack
+    easing_made_up: bool = False  # thrust that eased screws missed is asked for in the next cycle
+    fault_kp: tuple[float, ...] = (1.0, 1.0, 1.0, 1.0, 1.0, 1.0)  # fault tolerance: factors on K_P, (6,)
+    fault_ki: tuple[float, ...] = (1.0, 1.0, 1.0, 1.0, 1.0, 1.0)  # on K_I
+    fault_kd: tuple[float, ...] = (1.0, 1.0, 1.0, 1.0, 1.0, 1.0)  # on K_D
 
 
 @dataclass(frozen=True)

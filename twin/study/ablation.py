@@ -50,7 +50,8 @@ def fault_variations() -> list[Variation]:
     no_map = {"degraded_map": False}
     no_priority = {"priority": [1.0] * 6}
     no_slack = {"slack_price": [0.0] * 6}
-    parts = {"degraded map": no_map, "priorities": no_priority, "slack": no_slack}
+    no_gains = {name: [1.0] * 6 for name in ("fault_kp", "fault_ki", "fault_kd")}
+    parts = {"degraded map": no_map, "priorities": no_priority, "slack": no_slack, "gains": no_gains}
     rows = [Variation("none (S5)", "S5", {})]
     for name in parts:
         others = merged(*({"allocation": off} for other, off in parts.items() if other != name))
@@ -98,9 +99,10 @@ def extension_ablation(
     {"ratio": median over seeds on the nominal plant, "share": of plants 0 .. n_plants - 1}.
     """
     plants, names = [draw(i) for i in range(n_plants)], scenarios_of(readings=False)
-    own = tuple(name for name in names if name not in ("S1", "S2", "S3"))
     variations: list[tuple[str, str, tuple[str, ...], Overrides]] = [(ALL_ON, "", names, {})]
-    variations += [(e.name, e.about, names if e.shared else own, e.off) for e in EXTENSIONS]
+    variations += [
+        (e.name, e.about, tuple(name for name in names if name in e.by), e.off) for e in EXTENSIONS
+    ]
     variations.append((PUBLISHED, "", names, merged(*(e.off for e in EXTENSIONS))))
     rows = [
         row

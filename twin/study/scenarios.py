@@ -18,8 +18,12 @@ FAULT_TIME_S = 45.0
 Overrides = Mapping[str, Mapping[str, Any]]
 
 # Shared by all: a target once seen is remembered for 30 s, and hover ends far enough out that a drifting
-# vehicle does not chatter between R and H.
-SHARED: Overrides = {"supervisor": {"detection_hold_cycles": 300, "range_rh_upper_m": 2.5}}
+# vehicle does not chatter between R and H. The allocator flies the published map, alpha = delta: what fins
+# do by themselves in drift steadies the hull.
+SHARED: Overrides = {
+    "supervisor": {"detection_hold_cycles": 300, "range_rh_upper_m": 2.5},
+    "guidance": {"flow_drift": 0.0},
+}
 HARD: Overrides = {
     "bumpless": {
         "ramp": False,
