@@ -8,7 +8,7 @@ from math import exp, hypot
 
 from twin.actuators import total_wrench
 from twin.allocation.baselines import allocate_direct, allocate_wls
-from twin.allocation.bounds import any_active, command_bounds
+from twin.allocation.bounds import command_bounds, limited_channels
 from twin.allocation.easing import missed_wrench
 from twin.allocation.mdca import INFEASIBLE, REFUSED, allocate_mdca
 from twin.clock import monotonic
@@ -16,7 +16,7 @@ from twin.compiled import jit
 from twin.effectiveness.step import believe_estimate, estimate_effectiveness, reset_estimator
 from twin.guidance import guide, observation_point
 from twin.navigation import navigate
-from twin.pid import demand, smooth_errors, tracking_error
+from twin.pid import demand, gain_share, smooth_errors, tracking_error
 from twin.records import HOVER, MDCA, WLS
 from twin.supervisor import filter_detection, supervise
 from twin.switching import begin_ramp, blend, report_slack, soften, transition_factor
@@ -34,6 +34,7 @@ def reset_autopilot(modes, plan, model, a):
         a.tau_d[k] = a.tau_c[k] = a.tau_plus[k] = a.tau_minus[k] = a.slack[k] = 0.0
         a.Q[k] = a.Q_minus[k] = a.Q_mode[k] = modes[0].Q[k]
         a.smooth_error[k] = a.smooth_rate[k] = 0.0
+        a.limited[k] = 0
         a.K_I[k] = modes[0].K_I[k]
     for i in range(a.u.shape[0]):
         a.u[i] = 0.0
@@ -46,7 +47,7 @@ def reset_autopilot(modes, plan, model, a):
     a.increment_share = a.increment_share_minus = a.step_share = modes[0].increment_share
     a.increment_price = a.fault_share = 0.0
     a.cycle = a.fixes = a.leg = a.mode = a.previous_mode = 0
-    a.history = a.hold_left = a.detected = a.holding = a.saturated = a.hover_cycles = 0
+    a.history = a.hold_left = a.detected = a.holding = a.hover_cycles = 0
     a.switch_cycle = a.ramp_cycle = _LONG_AGO
     a.ramp_length = 0.0
     a.kappa = 1.0
@@ -103,7 +104,7 @@ def allocate(handle, settings, model, a, w):
     a.solve_time = monotonic() - started  # pyright: ignore[reportCallIssue]
     total_wrench(model, a.u, a.effectiveness, a.nu_r, a.tau_c)
     report_slack(settings, a)
-    a.saturated = any_active(model, a.u, a.u_lower, a.u_upper)
+    limited_channels(model, a.u, a.u_lower, a.u_upper, w.jacobian, a.limited)
 
 
 @jit
@@ -154,6 +155,7 @@ def autopilot_step(handle, settings, modes, sensors, plan, model, m, a, w, chang
     guide(settings, plan, a, point, work)
     tracking_error(a)
     smooth_errors(settings, a)
+    a.schedule = gain_share(settings, a)
     gains = modes[HOVER if a.holding == 1 else a.mode]
     if change == 1:
         begin_ramp(settings, gains, a)

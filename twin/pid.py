@@ -2,10 +2,11 @@
 
 Source: Gao et al. 2026, eq. (42)-(44), (56). The integral is kept as K_I e_I in wrench units, so that
 a change of K_I does not move it.
-Differs: wrench the allocator could not deliver while a command is at a bound drains the integral
-(back-calculation), and the offset of eq. (56) is kept apart from the integral so that it can be bled
-off; with no bleed the sum is the published law. Errors may be smoothed by first-order lags, and what an
-integral becomes at a switch when it is not aligned is chosen: kept in N, kept as e_I (rescaled), or reset.
+Differs: what the allocator could not deliver in a channel while a command with authority there is at a
+bound drains that channel's integral (back-calculation), and the offset of eq. (56) is kept apart from the
+integral so that it can be bled off; with no bleed the sum is the published law. Errors may be smoothed by
+first-order lags, and what an integral becomes at a switch when it is not aligned is chosen: kept in N, kept
+as e_I (rescaled), or reset.
 Limits of scheduled channels may follow the schedule, so that no more is asked of fins than flow gives.
 """
 
@@ -75,15 +76,17 @@ def proportional(settings, gains, a, i):
 
 @jit
 def demand(settings, gains, a):
-    """Fill a.tau_plus (6,) and advance the integrals by one cycle. gains: MODE_CONTROL of the mode."""
-    a.schedule = gain_share(settings, a)
+    """Fill a.tau_plus (6,) and advance the integrals by one cycle, with the gains scheduled by a.schedule.
+
+    gains: MODE_CONTROL of the mode.
+    """
     keep = exp(-settings.dt / settings.align_bleed) if settings.align_bleed > 0.0 else 1.0
     speed = a.kappa if settings.scale_integration == 1 else 1.0
     for i in range(6):
         share = 1.0 + settings.scheduled[i] * (a.schedule - 1.0)
         room = share if settings.schedule_limits == 1 else 1.0
         rate = after_fault(settings, a, 1, i) * speed * share * gains.K_I[i] * a.smooth_error[i]
-        if a.saturated == 1 and gains.K_I[i] > 0.0:
+        if a.limited[i] == 1 and gains.K_I[i] > 0.0:
             rate -= settings.anti_windup * (a.tau_d[i] - a.tau_c[i])
         a.integral[i] = clip(a.integral[i] + settings.dt * rate, room * gains.integral_limit[i])
         a.bias[i] *= keep

@@ -258,7 +258,7 @@ AUTOPILOT = np.dtype(
         ("u_upper", f8, _n),
         ("du_max", f8, _n),
         ("tau_c", f8, 6),
-        ("saturated", i8),
+        ("limited", i8, 6),  # 1 where a command at a bound has authority
         ("status", i8),
         ("refused", i8),  # cycles in a row without a demand to allocate
         ("iterations", i8),

@@ -2,6 +2,8 @@
 
 from twin.compiled import jit
 
+_AUTHORITY = 0.1
+
 
 @jit
 def command_bounds(model, u_previous, dt, lower, upper, du_max):
@@ -35,10 +37,19 @@ def count_saturated(model, u):
 
 
 @jit
-def any_active(model, u, lower, upper):
-    """1 if any command is at a bound of this cycle, amplitude or increment."""
-    for i in range(model.n_u):
-        slack = 1e-9 * (model.command_max[i] - model.command_min[i])
-        if u[i] >= upper[i] - slack or u[i] <= lower[i] + slack:
-            return 1
-    return 0
+def limited_channels(model, u, lower, upper, jacobian, limited):
+    """Fill limited (6,): 1 for each wrench component on which a command at a bound, amplitude or
+    increment, has authority: at least `_AUTHORITY` of what the strongest actuator has on it.
+
+    jacobian (6, 8): dG/dx in bound-normalised commands, N and N m.
+    """
+    for k in range(6):
+        limited[k] = 0
+        strongest = 0.0
+        for i in range(model.n_u):
+            strongest = max(strongest, abs(jacobian[k, i]))
+        for i in range(model.n_u):
+            slack = 1e-9 * (model.command_max[i] - model.command_min[i])
+            held = u[i] >= upper[i] - slack or u[i] <= lower[i] + slack
+            if held and strongest > 0.0 and abs(jacobian[k, i]) >= _AUTHORITY * strongest:
+                limited[k] = 1
