@@ -172,7 +172,8 @@ def _ground(parts: dict[str, Any]) -> str:
     more = ", and a reason for each of the others"
     if "explained" in remus:
         more = (
-            f", {remus['explained']} more under another reading of the thesis, and say why the others differ"
+            f", {remus['explained']} more under another reading"
+            f" of the thesis, {remus['unexplained']} under none found"
         )
     return (
         f"**Ground.** {physics['passed']} of {physics['checks']} cross-checks of the plant pass (energy, "

@@ -8,6 +8,7 @@ from typing import Any
 
 from twin.report.labels import coordinate, label
 from twin.report.ticks import change, number, percent, share, words
+from twin.study.readings import NO_FAULT
 
 Document = dict[str, Any]
 
@@ -43,6 +44,11 @@ def _goals(parts: Document) -> list[str]:
         told = [f"holds on {share(numbers['share'][name])} of the plants, wanted on 90 %"]
         if name in CAUSES:
             told.append(CAUSES[name])
+        told += [
+            f"even with {NO_FAULT}, it would hold on {share(read['share'])}"
+            for read in numbers.get("readings", {}).get(name, ())
+            if read["definition"] == NO_FAULT
+        ]
         if where[words(name)]:
             told.append(f"it fails where {where[words(name)]}")
         told += _price(name, parts)

@@ -46,6 +46,8 @@ PRIMARY: dict[str, str] = {
 
 BASELINES = {"S1": ("S1 maps the demand in thrust",), "S3": ("S3 keeps e_I, so that K_I e_I jumps",)}
 
+NO_FAULT = "no fault at all, S4 in the place of S6"
+
 READINGS: tuple[Reading, ...] = (
     Reading("tau_c as the plant's true wrench", {"rms_e_tau_model": "rms_e_tau_true"}),
     Reading("tau_c by the allocator's map", {"rms_e_tau_post_true": "rms_e_tau_post_model"}),
@@ -63,6 +65,7 @@ READINGS: tuple[Reading, ...] = (
         "moved since the fault, whatever the reference",
         {f"d_{a}_fault_rms": f"d_{a}_fault_moved" for a in ("theta", "psi")},
     ),
+    Reading(NO_FAULT, scenarios={"S6": "S4"}),
 )
 
 
