@@ -113,6 +113,14 @@ THRUST_LINEAR, SPEED_LINEAR = 0, 1
 
 MAX_FAULTS, MAX_OUTAGES, N_NOISE = 8, 16, 24
 
+FAULT_FIELDS = [  # of a plan as of the truth
+    ("n_faults", i8),
+    ("fault_actuator", i8, MAX_FAULTS),
+    ("fault_time", f8, MAX_FAULTS),  # s
+    ("fault_effectiveness", f8, MAX_FAULTS),  # 0 to 1
+    ("fault_blend", f8, MAX_FAULTS),  # s over which it comes in
+]
+
 PLAN = np.dtype(  # all that an autopilot knows of a mission; what is true besides is `twin.truth`
     [
         ("n_legs", i8),
@@ -125,11 +133,7 @@ PLAN = np.dtype(  # all that an autopilot knows of a mission; what is true besid
         ("cycles", i8),  # longest duration
         ("hold_cycles", i8),  # in a row in H within d_RH^U that complete the mission; 0: never
         # faults it is told of; only a fault-tolerant allocator looks
-        ("n_faults", i8),
-        ("fault_actuator", i8, MAX_FAULTS),
-        ("fault_time", f8, MAX_FAULTS),
-        ("fault_effectiveness", f8, MAX_FAULTS),
-        ("fault_blend", f8, MAX_FAULTS),
+        *FAULT_FIELDS,
     ],
     align=True,
 )

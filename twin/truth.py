@@ -9,7 +9,7 @@ from math import radians
 import numpy as np
 
 from twin.mission import Mission
-from twin.records import MAX_FAULTS, MAX_OUTAGES, f8, i8
+from twin.records import FAULT_FIELDS, MAX_OUTAGES, f8, i8
 from twin.vehicle import Vehicle
 
 TRUTH = np.dtype(
@@ -30,18 +30,13 @@ TRUTH = np.dtype(
         ("noise_scale", f8),
         ("n_outages", i8),
         ("outage", f8, (MAX_OUTAGES, 2)),  # s, target not seen in between
-        # faults
-        ("n_faults", i8),
-        ("fault_actuator", i8, MAX_FAULTS),
-        ("fault_time", f8, MAX_FAULTS),
-        ("fault_effectiveness", f8, MAX_FAULTS),
-        ("fault_blend", f8, MAX_FAULTS),
+        *FAULT_FIELDS,
     ],
     align=True,
 )
 
 TOLD = ("start", "start_speed")  # a vehicle is put on its start and knows where that is
-TOLD_OF_FAULTS = ("n_faults", "fault_actuator", "fault_time", "fault_effectiveness", "fault_blend")
+TOLD_OF_FAULTS = tuple(field[0] for field in FAULT_FIELDS)
 
 
 def truth_of(mission: Mission, vehicle: Vehicle) -> np.ndarray:

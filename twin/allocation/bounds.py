@@ -2,7 +2,7 @@
 
 from twin.compiled import jit
 
-_AUTHORITY = 0.1
+_AUTHORITY = 0.1  # less than this share of the strongest is a side effect, not a means
 
 
 @jit
@@ -41,7 +41,7 @@ def limited_channels(model, u, lower, upper, jacobian, limited):
     """Fill limited (6,): 1 for each wrench component on which a command at a bound, amplitude or
     increment, has authority: at least `_AUTHORITY` of what the strongest actuator has on it.
 
-    jacobian (6, 8): dG/dx in bound-normalised commands, N and N m.
+    jacobian (6, 8): dG/dx in bound-normalised commands, N and N m, at or near u.
     """
     for k in range(6):
         limited[k] = 0
