@@ -24,7 +24,7 @@ ENV PATH=/opt/bumpless/bin:$PATH \
 USER 10001
 WORKDIR /data
 # Compiled for the processor that builds the image; another one compiles once more at its first start.
-RUN python -m twin.warm_up
+RUN python -m bumpless.sim.warm_up
 VOLUME /data
 EXPOSE 8080
 ENTRYPOINT ["bumpless"]

@@ -12,8 +12,8 @@ PY := $(BIN)/python
 UV := $(BIN)/uv pip install --quiet --python $(PY)
 NPM := $(PY) hatch_build.py npm
 DONE := .venv/.make
-TWIN := $(shell find twin -name '*.py' -o -name '*.toml')
-GENERATED = twin/contract/bumpless_pb2.py twin/contract/bumpless_pb2.pyi $(wildcard console_web/src/gen/*)
+TWIN := $(shell find twin paper -name '*.py' -o -name '*.toml')
+GENERATED = twin/bumpless/contract/bumpless_pb2.py twin/bumpless/contract/bumpless_pb2.pyi $(wildcard console_web/src/gen/*)
 
 help:  ## what each command does
 	@sed -n 's/^\([a-z-]*\):.*##  *\(.*\)/  make \1|\2/p' Makefile | column -t -s '|' 2>/dev/null \
@@ -45,7 +45,7 @@ check-containers: $(DONE)/dev
 	$(NPM) .ci exec --offline -- dclint --max-warnings 0 ../docker-compose.yml
 
 check-results: $(DONE)/dev $(DONE)/project
-	@$(PY) -m server.cli.readme_results --check
+	@$(PY) -m bumpless_paper.readme_results --check
 
 check-figures: $(DONE)/dev $(DONE)/project
 	@$(PY) -m tests.bench.render --check
@@ -62,13 +62,13 @@ check-leaks:
 	@! git grep -nI -e '"resolved":' -- '*package-lock.json'
 
 gen: $(DONE)/dev  ## generate the contract's Python and TypeScript code
-	$(PY) -m grpc_tools.protoc -I twin/contract --python_out=twin/contract --pyi_out=twin/contract bumpless.proto
+	$(PY) -m grpc_tools.protoc -I twin/bumpless/contract --python_out=twin/bumpless/contract --pyi_out=twin/bumpless/contract bumpless.proto
 	PYTHON=$(CURDIR)/$(PY) $(NPM) console_web run gen --silent
 
 MINUTES ?= 10
 results: $(DONE)/compiled  ## reproduce the paper and renew the README's results
 	$(BIN)/bumpless reproduce --out build/reproduce
-	@$(PY) -m server.cli.readme_results build/reproduce/reproduce.json
+	@$(PY) -m bumpless_paper.readme_results build/reproduce/reproduce.json
 
 bench: $(DONE)/compiled $(DONE)/dev $(DONE)/bench console  ## measure every speed beside its peers (ARGS="--check", "--live 1")
 	$(PY) -m tests.bench $(ARGS)
@@ -95,9 +95,9 @@ lock: $(DONE)/build  ## resolve the dependencies anew (ARGS="--upgrade")
 	$(LOCK) $(ARGS) --extra bench -c requirements-dev.lock -o requirements-bench.lock
 
 clean:  ## remove everything that was installed, built or cached (recorded data stays)
-	rm -rf .venv server/static server/static.new console_web/node_modules console_web/dist .ci/node_modules
+	rm -rf .venv server/bumpless_server/static server/bumpless_server/static.new console_web/node_modules console_web/dist .ci/node_modules
 	rm -rf .pytest_cache .ruff_cache .hypothesis .import_linter_cache dist build
-	find twin server tests -name __pycache__ -prune -exec rm -rf {} +
+	find twin server paper tests -name __pycache__ -prune -exec rm -rf {} +
 
 # ---- what is installed: one stamp per step, redone when its lock changes -----------------------
 $(DONE)/venv:
@@ -133,7 +133,7 @@ $(DONE)/project: $(DONE)/run pyproject.toml
 
 $(DONE)/compiled: $(DONE)/project $(TWIN)
 	@echo "Compiling for this processor (once; a minute or two) ..."
-	@$(PY) -m twin.warm_up missions/docking.yaml
+	@$(PY) -m bumpless.sim.warm_up missions/docking.yaml
 	@touch $@
 
 .PHONY: help run test check check-style check-imports check-types check-console check-containers check-gen \

@@ -1,4 +1,4 @@
-"""Builds the console into server/static/, so that a wheel carries it and no user needs Node.
+"""Builds the console into server/bumpless_server/static/, so that a wheel carries it and no user needs Node.
 
 Runs as hatchling's hook (pip install, uv pip install, editable or not) and as a command:
 
@@ -60,8 +60,8 @@ def install_modules(folder: Path) -> None:
 
 
 def build_console(root: Path = ROOT) -> bool:
-    """Bring root/server/static up to date with root/console_web; True when it was built anew."""
-    console, static = root / "console_web", root / "server" / "static"
+    """Bring the built console up to date with root/console_web; True when it was built anew."""
+    console, static = root / "console_web", root / "server" / "bumpless_server" / "static"
     stamp = static / STAMP
     if os.environ.get("BUMPLESS_SKIP_CONSOLE") == "1":
         return False

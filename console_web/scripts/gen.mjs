@@ -5,7 +5,7 @@ import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 
 const web = resolve(dirname(fileURLToPath(import.meta.url)), "..");
-const contract = resolve(web, "../twin/contract");
+const contract = resolve(web, "../twin/bumpless/contract");
 const venv = resolve(web, "../.venv/bin/python");
 const python = process.env.PYTHON ?? (existsSync(venv) ? venv : "python3");
 const out = join(web, "src/gen");

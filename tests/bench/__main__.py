@@ -13,11 +13,11 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
+from bumpless.config.vehicle import load_vehicle
 from tests.bench import allocation, loop, render, start
 from tests.bench.compare import RATIO_TOLERANCE, SHARE_TOLERANCE, regressions
 from tests.bench.figure import Figure, short
 from tests.bench.machine import describe
-from twin.vehicle import load_vehicle
 
 WRITTEN = Path("build/bench.json")
 

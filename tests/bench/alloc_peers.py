@@ -14,8 +14,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from twin.allocation.qp import make_handle, solve_box_qp
-from twin.allocation.qp_active_set import solve_active_set
+from bumpless.control.allocation.qp import make_handle, solve_box_qp
+from bumpless.control.allocation.qp_active_set import solve_active_set
 
 N, WRENCH = 7, 5
 LAMBDA = 1e-3

@@ -6,16 +6,16 @@ from typing import Any
 
 import numpy as np
 
+from bumpless import records
+from bumpless.config.vehicle import Vehicle
+from bumpless.control.allocation.qp import make_handle
+from bumpless.control.allocation.wrench_map import to_x, wrench_map
+from bumpless.sim.settings import fill_settings
+from bumpless.sim.twin import one, parameters_for
 from tests.bench import stream
 from tests.bench.figure import Figure, figure, interleaved
 from tests.bench.generic_map import numpy_operations, parts, wrench
 from tests.bench.nlp_peers import PEERS, Solve
-from twin import records
-from twin.allocation.qp import make_handle
-from twin.allocation.wrench_map import to_x, wrench_map
-from twin.settings import fill_settings
-from twin.simulation import one, parameters_for
-from twin.vehicle import Vehicle
 
 SAMPLE = 100  # problems a round for peers in Python, spread over the stream
 

@@ -5,8 +5,8 @@ The same pacing and priority as the node's loop, 20 Hz. Printed: p99, ms. No nod
 
 import sys
 
-from twin.node.pacing import WallClock
-from twin.node.priority import raise_thread
+from bumpless.node.pacing import WallClock
+from bumpless.node.priority import raise_thread
 
 PERIOD_NS = 50_000_000
 

@@ -1,7 +1,7 @@
 """The allocator's wrench map once more, in array operations that NumPy and CasADi both have.
 
 For the peers only: the paper-style implementation evaluates it in NumPy, IPOPT differentiates it in
-CasADi. `twin.allocation.wrench_map` is what flies; both are compared before anything is measured.
+CasADi. `bumpless.control.allocation.wrench_map` is what flies; both are compared before anything is measured.
 """
 
 from types import SimpleNamespace
@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from twin.records import FIN
+from bumpless.records import FIN
 
 STALL_WIDTH = 0.12
 

@@ -24,7 +24,7 @@ import psutil
 import websockets
 from websockets.typing import Origin, Subprotocol
 
-from twin.contract import bumpless_pb2 as pb
+from bumpless.contract import bumpless_pb2 as pb
 
 ROOT = Path(__file__).parents[2]
 OVER = (pb.MISSION_PHASE_IDLE, pb.MISSION_PHASE_COMPLETED, pb.MISSION_PHASE_ABORTED)
@@ -47,7 +47,7 @@ async def server(data: str, scene: str) -> AsyncIterator[tuple[asyncio.subproces
     environment = {**os.environ, "BUMPLESS_DATA_DIR": data, "BUMPLESS_SCENE": scene, "PYTHONPATH": str(ROOT)}
     environment["BUMPLESS_ZENOH_LISTEN"] = f"tcp/127.0.0.1:{free_port()}"
     process = await asyncio.create_subprocess_exec(
-        sys.executable, "-m", "server.cli.main", "serve", "--port", "0",
+        sys.executable, "-m", "bumpless_server.cli.main", "serve", "--port", "0",
         cwd=ROOT, env=environment, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
     )  # fmt: skip
     assert process.stdout is not None

@@ -11,19 +11,19 @@ from typing import Any
 
 import numpy as np
 
+from bumpless.config.parameters import Parameters
+from bumpless.config.vehicle import Vehicle, load_vehicle
+from bumpless.jit import jit
+from bumpless.physics.dynamics import body_acceleration
+from bumpless.physics.envelope import attainable_sets, wrench_curves
+from bumpless.physics.envelope_hull import hull_of_points
+from bumpless.physics.frames import body_to_ned, euler_rates
+from bumpless.physics.model import build_model
+from bumpless.physics.plant import N_STATE, new_work, state_rate
+from bumpless.sim.truth import TRUTH
+from bumpless.sim.twin import one, parameters_for, simulate
 from tests.bench import stream
 from tests.bench.figure import Figure, figure, interleaved
-from twin.compiled import jit
-from twin.dynamics import body_acceleration
-from twin.envelope import attainable_sets, wrench_curves
-from twin.envelope_hull import hull_of_points
-from twin.frames import body_to_ned, euler_rates
-from twin.model import build_model
-from twin.parameters import Parameters
-from twin.plant import N_STATE, new_work, state_rate
-from twin.simulation import one, parameters_for, simulate
-from twin.truth import TRUTH
-from twin.vehicle import Vehicle, load_vehicle
 
 STEPS, PEER_STEPS, DT = 20_000, 200, 0.01
 # REMUS flies the same helm in both simulators: rudder and stern planes in rad, shaft in rev/s

@@ -11,10 +11,10 @@ from typing import Any
 
 import numpy as np
 
+from bumpless.control.allocation.kkt import kkt_residual
+from bumpless.control.allocation.mdca import normal_equations
 from tests.bench.generic_map import numpy_operations, parts, wrench
 from tests.bench.stream import cost_at
-from twin.allocation.kkt import kkt_residual
-from twin.allocation.mdca import normal_equations
 
 Solve = Callable[[Any, np.ndarray, np.ndarray, np.ndarray], np.ndarray]
 BUDGET, TOLERANCE = 8, 1e-6

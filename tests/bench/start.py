@@ -16,8 +16,8 @@ from tests.bench.stream import ROOT
 
 _FIRST_CYCLE = """
 from pathlib import Path
-from twin.simulation import Twin
-from twin.vehicle import load_vehicle
+from bumpless.sim.twin import Twin
+from bumpless.config.vehicle import load_vehicle
 Twin(load_vehicle("ts100")).step()
 peak = [line for line in Path("/proc/self/status").read_text().splitlines() if line.startswith("VmHWM")]
 print(peak[0].split()[1])  # kB; ru_maxrss would begin at the size of the process that started this one
@@ -41,12 +41,12 @@ def _child(arguments: list[str], bytecode: str | None = None) -> tuple[float, st
 def figures(rounds: int) -> Iterator[Figure]:
     """CPU of `bumpless --help` and of a first control cycle with cached code; memory of the latter."""
     help_, first, source, memory = [], [], [], []
-    _child(["-m", "server.cli.main", "--help"])  # fills the caches
+    _child(["-m", "bumpless_server.cli.main", "--help"])  # fills the caches
     _child(["-c", _FIRST_CYCLE])
     for _ in range(rounds):
         with tempfile.TemporaryDirectory() as nothing:
             source.append(_child(["-c", _FIRST_CYCLE], bytecode=nothing)[0])
-        help_.append(_child(["-m", "server.cli.main", "--help"])[0])
+        help_.append(_child(["-m", "bumpless_server.cli.main", "--help"])[0])
         seconds, printed = _child(["-c", _FIRST_CYCLE])
         first.append(seconds)
         memory.append(int(printed.split()[-1]) / 1024)

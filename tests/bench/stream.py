@@ -4,16 +4,16 @@ from pathlib import Path
 
 import numpy as np
 
+from bumpless import records
+from bumpless.config.mission import Mission, parse_mission
+from bumpless.config.vehicle import Vehicle
+from bumpless.control.allocation.mdca import allocate_mdca, allocation_cost, normal_equations
+from bumpless.control.allocation.qp_active_set import solve_active_set
+from bumpless.control.allocation.wrench_map import to_x, wrench_map
+from bumpless.jit import allocating, jit
+from bumpless.jit.clock import monotonic
+from bumpless.sim.twin import Twin
 from tests.bench.cpu_clock import thread_time
-from twin import records
-from twin.allocation.mdca import allocate_mdca, allocation_cost, normal_equations
-from twin.allocation.qp_active_set import solve_active_set
-from twin.allocation.wrench_map import to_x, wrench_map
-from twin.clock import monotonic
-from twin.compiled import allocating, jit
-from twin.mission import Mission, parse_mission
-from twin.simulation import Twin
-from twin.vehicle import Vehicle
 
 ROOT = Path(__file__).parents[2]
 _FIELDS = ("tau_d", "nu_r", "effectiveness", "Q", "R", "lam", "u_lower", "u_upper", "mode")

@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 from ruamel.yaml import YAML
 
-from twin.contract.keys import check_vehicle_id
+from bumpless.contract.keys import check_vehicle_id
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -28,7 +28,7 @@ def test_commands_exist_with_these_options(services: dict[str, Any]) -> None:
     """A renamed command or option must not be found out in the field."""
     from typer.main import get_command
 
-    from server.cli.main import app
+    from bumpless_server.cli.main import app
 
     group: Any = get_command(app)
     for name in ("server", "vehicle"):
@@ -44,7 +44,7 @@ def test_settings_understand_the_environment(
     services: dict[str, Any], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Every variable must be a setting of the server, with a value it can read."""
-    from server.settings import Settings
+    from bumpless_server.settings import Settings
 
     environment = services["server"]["environment"]
     assert environment["BUMPLESS_TOKEN"].startswith("${BUMPLESS_TOKEN:?")  # compose refuses without one

@@ -4,8 +4,8 @@ import pytest
 import zenoh
 from google.protobuf import descriptor_pb2, descriptor_pool, message_factory
 
-from twin.contract import bumpless_pb2 as pb
-from twin.contract import keys
+from bumpless.contract import bumpless_pb2 as pb
+from bumpless.contract import keys
 
 
 def test_every_stamped_telemetry_message_has_a_topic() -> None:

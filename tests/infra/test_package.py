@@ -13,6 +13,7 @@ import pytest
 import hatch_build
 
 ROOT = Path(__file__).resolve().parents[2]
+VEHICLES = ROOT / "twin" / "bumpless" / "config" / "vehicles"
 
 
 @pytest.fixture(scope="module")
@@ -29,9 +30,13 @@ def wheel(tmp_path_factory: pytest.TempPathFactory) -> Iterator[zipfile.ZipFile]
 def test_wheel_carries_data_missions_and_console(wheel: zipfile.ZipFile) -> None:
     """A user of the wheel has neither Node nor this repository."""
     names = set(wheel.namelist())
-    wanted = {f"twin/vehicles/{path.name}" for path in (ROOT / "twin/vehicles").glob("*.toml")}
-    wanted |= {f"server/missions/{path.name}" for path in (ROOT / "missions").glob("*.yaml")}
-    wanted |= {"twin/contract/bumpless.proto", "twin/contract/bumpless_pb2.py", "server/static/index.html"}
+    wanted = {f"bumpless/config/vehicles/{path.name}" for path in VEHICLES.glob("*.toml")}
+    wanted |= {f"bumpless/missions/{path.name}" for path in (ROOT / "missions").glob("*.yaml")}
+    wanted |= {
+        "bumpless/contract/bumpless.proto",
+        "bumpless/contract/bumpless_pb2.py",
+        "bumpless_server/static/index.html",
+    }
     assert len(wanted) > 4
     assert wanted <= names
 
@@ -39,7 +44,11 @@ def test_wheel_carries_data_missions_and_console(wheel: zipfile.ZipFile) -> None
 def test_wheel_carries_nothing_else(wheel: zipfile.ZipFile) -> None:
     """Tests, Node modules, recorded data and caches stay at home."""
     tops = {name.split("/")[0] for name in wheel.namelist()}
-    assert {top for top in tops if not top.endswith(".dist-info")} == {"twin", "server"}
+    assert {top for top in tops if not top.endswith(".dist-info")} == {
+        "bumpless",
+        "bumpless_server",
+        "bumpless_paper",
+    }
     assert not [name for name in wheel.namelist() if "node_modules" in name or "__pycache__" in name]
 
 
@@ -51,7 +60,7 @@ def console(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     (folder / "src").mkdir(parents=True)
     (folder / "package.json").write_text("{}")
     (folder / "src" / "main.ts").write_text("let x = 1;")
-    static = tmp_path / "server" / "static"
+    static = tmp_path / "server" / "bumpless_server" / "static"
     static.mkdir(parents=True)
     (static / hatch_build.STAMP).write_text(hatch_build.source_hash(folder))
     return folder
@@ -83,7 +92,7 @@ def test_a_source_package_with_the_built_console_needs_no_sources(console: Path)
     """Without console_web the built files are taken as they are; without both, the build says so."""
     shutil.rmtree(console)
     assert hatch_build.build_console(console.parent) is False
-    shutil.rmtree(console.parent / "server" / "static")
+    shutil.rmtree(console.parent / "server" / "bumpless_server" / "static")
     with pytest.raises(FileNotFoundError, match="no console sources"):
         hatch_build.build_console(console.parent)
 
@@ -91,6 +100,7 @@ def test_a_source_package_with_the_built_console_needs_no_sources(console: Path)
 def test_help_loads_no_heavy_module() -> None:
     """`bumpless --help` must answer at once: numba, SciPy, viser and Zenoh are loaded when needed."""
     heavy = ["numba", "scipy", "viser", "zenoh", "osqp", "fastapi", "mcap"]
-    code = f"import sys, server.cli.main; sys.exit(', '.join(m for m in {heavy} if m in sys.modules) or 0)"
+    loaded = f"', '.join(m for m in {heavy} if m in sys.modules)"
+    code = f"import sys, bumpless_server.cli.main; sys.exit({loaded} or 0)"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, env=os.environ)
     assert done.returncode == 0, done.stderr

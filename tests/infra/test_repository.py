@@ -32,7 +32,9 @@ def pins(lock: str) -> dict[str, set[Version]]:
 
 def sources() -> list[Path]:
     """Every hand-written source file of the rooms."""
-    places = [("twin", "*.py"), ("server", "*.py"), ("tests", "*.py"), ("console_web/src", "*.ts*")]
+    places = [(room, "*.py") for room in ("twin", "server", "paper", "tests")] + [
+        ("console_web/src", "*.ts*")
+    ]
     files = [path for folder, pattern in places for path in (ROOT / folder).rglob(pattern)]
     return [path for path in files if path.name not in GENERATED]
 

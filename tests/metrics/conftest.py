@@ -6,8 +6,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from twin.metrics import Run
-from twin.vehicle import Vehicle, load_vehicle
+from bumpless.config.vehicle import Vehicle, load_vehicle
+from bumpless.metrics import Run
 
 N_U = 7
 

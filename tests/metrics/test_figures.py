@@ -6,10 +6,10 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from twin.contract import bumpless_pb2 as pb
-from twin.metrics import Run, as_dict, metrics_of
-from twin.records import FORWARD, HOVER, LOG, REVERSE
-from twin.vehicle import Vehicle
+from bumpless.config.vehicle import Vehicle
+from bumpless.contract import bumpless_pb2 as pb
+from bumpless.metrics import Run, as_dict, metrics_of
+from bumpless.records import FORWARD, HOVER, LOG, REVERSE
 
 MakeRun = Callable[..., Run]
 

@@ -6,8 +6,8 @@ import numpy as np
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from twin.metrics import Run
-from twin.metrics.proposition import demand_step_violations, increment_violations
+from bumpless.metrics import Run
+from bumpless.metrics.proposition import demand_step_violations, increment_violations
 
 MakeRun = Callable[..., Run]
 BOUND = np.full(7, 1.0)

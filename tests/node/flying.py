@@ -3,13 +3,13 @@
 import threading
 from pathlib import Path
 
+from bumpless.config.vehicle import load_vehicle
+from bumpless.contract import bumpless_pb2 as pb
+from bumpless.node.commands import Commander
+from bumpless.node.flight import Flight
+from bumpless.node.loop import ControlLoop, Handoff
+from bumpless.node.ring import Cycle, Ring
 from tests.node.light import LightTwin
-from twin.contract import bumpless_pb2 as pb
-from twin.node.commands import Commander
-from twin.node.flight import Flight
-from twin.node.loop import ControlLoop, Handoff
-from twin.node.ring import Cycle, Ring
-from twin.vehicle import load_vehicle
 
 MISSIONS = Path(__file__).parents[2] / "missions"
 START_NS = 1_800_000_000_000_000_000

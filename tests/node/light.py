@@ -5,11 +5,11 @@ from typing import Any
 
 import numpy as np
 
-from twin.contract import bumpless_pb2 as pb
-from twin.events import TwinEvent
-from twin.parameters import default_parameters
-from twin.records import LOG
-from twin.vehicle import Vehicle
+from bumpless.config.parameters import default_parameters
+from bumpless.config.vehicle import Vehicle
+from bumpless.contract import bumpless_pb2 as pb
+from bumpless.records import LOG
+from bumpless.sim.events import TwinEvent
 
 
 class LightTwin:
@@ -69,7 +69,7 @@ class LightTwin:
 
 def run(endpoint: str, realtime: str = "realtime", mission: str | None = None) -> int:
     """A vehicle node of its own with this twin in it, connected to `endpoint`."""
-    from twin.node import main
+    from bumpless.node import main
 
     paced = realtime == "realtime"
     return main("ts100", connect=[endpoint], realtime=paced, mission=mission, make_twin=LightTwin)

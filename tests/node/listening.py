@@ -15,9 +15,9 @@ import zenoh
 from google.protobuf import message_factory
 from google.protobuf.descriptor_pool import Default
 
-from twin.contract import bumpless_pb2 as pb
-from twin.contract import keys
-from twin.node.session import session_config
+from bumpless.contract import bumpless_pb2 as pb
+from bumpless.contract import keys
+from bumpless.node.session import session_config
 
 ROOT = Path(__file__).parents[2]
 PATIENCE_S = 60.0  # for what must come; nothing is measured by it

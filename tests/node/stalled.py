@@ -5,8 +5,8 @@ import threading
 
 import zenoh
 
-from twin.contract import keys
-from twin.node.session import session_config
+from bumpless.contract import keys
+from bumpless.node.session import session_config
 
 
 def hang(sample: zenoh.Sample) -> None:

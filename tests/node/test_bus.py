@@ -7,9 +7,9 @@ import threading
 import zenoh
 from google.protobuf import descriptor_pb2, descriptor_pool, message_factory
 
+from bumpless.contract import bumpless_pb2 as pb
+from bumpless.contract import keys
 from tests.node.listening import PATIENCE_S, ROOT, Listener, ended, light_node, program
-from twin.contract import bumpless_pb2 as pb
-from twin.contract import keys
 
 Process = subprocess.Popen[str]
 
@@ -140,6 +140,8 @@ def test_a_mission_may_be_flown_without_being_asked(bus: Listener, endpoint: str
 
 def test_a_vehicle_that_cannot_be_loaded_is_a_sentence(endpoint: str) -> None:
     """Exit code 1 and what is wrong, not a traceback."""
-    with program("-m", "server.cli.main", "vehicle", "--id", "nosuch", "--connect", endpoint) as process:
+    with program(
+        "-m", "bumpless_server.cli.main", "vehicle", "--id", "nosuch", "--connect", endpoint
+    ) as process:
         code, output = ended(process)
     assert code == 1 and "nosuch" in output and "Traceback" not in output

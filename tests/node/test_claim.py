@@ -7,11 +7,11 @@ from contextlib import contextmanager
 import pytest
 import zenoh
 
+from bumpless.node import links
+from bumpless.node.claim import Claim, TakenError
+from bumpless.node.session import session_config
 from tests.node.gate import Gate, gate
 from tests.node.listening import PATIENCE_S, free_port
-from twin.node import links
-from twin.node.claim import Claim, TakenError
-from twin.node.session import session_config
 
 
 @contextmanager

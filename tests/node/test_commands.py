@@ -4,11 +4,11 @@ from collections.abc import Iterator
 
 import pytest
 
+from bumpless.config.parameters import to_message
+from bumpless.contract import bumpless_pb2 as pb
+from bumpless.node.flight import Flight
+from bumpless.node.loop import Handoff
 from tests.node.flying import MISSIONS, Flying
-from twin.contract import bumpless_pb2 as pb
-from twin.node.flight import Flight
-from twin.node.loop import Handoff
-from twin.parameters import to_message
 
 RUNNING, PAUSED, ABORTED = pb.MISSION_PHASE_RUNNING, pb.MISSION_PHASE_PAUSED, pb.MISSION_PHASE_ABORTED
 
@@ -125,7 +125,7 @@ def test_a_request_whose_check_breaks_is_refused_too(flying: Flying, monkeypatch
         raise ArithmeticError("no such number")
 
     with monkeypatch.context() as patched:
-        patched.setattr("twin.parameters.check", broken)
+        patched.setattr("bumpless.config.parameters.check", broken)
         reply = flying.ask("set_parameters", to_message(flying.flight.chosen).SerializeToString())
     assert not reply.accepted and "ArithmeticError: no such number" in reply.reason
     assert flying.start().accepted

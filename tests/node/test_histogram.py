@@ -3,7 +3,7 @@
 from hypothesis import given
 from hypothesis import strategies as st
 
-from twin.node.histogram import Histogram
+from bumpless.node.histogram import Histogram
 
 durations = st.lists(st.integers(min_value=0, max_value=(1 << 44) - 1), min_size=1, max_size=200)
 

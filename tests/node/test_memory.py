@@ -4,15 +4,15 @@ import gc
 import tracemalloc
 from pathlib import Path
 
-from twin.contract import bumpless_pb2 as pb
-from twin.mission import parse_mission
-from twin.node.flight import Flight
-from twin.node.loop import ControlLoop
-from twin.node.pacing import FreeClock
-from twin.node.ring import Cycle, Ring
-from twin.simulation import Twin
-from twin.telemetry import Teller
-from twin.vehicle import load_vehicle
+from bumpless.config.mission import parse_mission
+from bumpless.config.vehicle import load_vehicle
+from bumpless.contract import bumpless_pb2 as pb
+from bumpless.node.flight import Flight
+from bumpless.node.loop import ControlLoop
+from bumpless.node.pacing import FreeClock
+from bumpless.node.ring import Cycle, Ring
+from bumpless.sim.twin import Twin
+from bumpless.telemetry import Teller
 
 DOCKING = Path(__file__).parents[2] / "missions" / "docking.yaml"
 MINUTE = 1200  # cycles

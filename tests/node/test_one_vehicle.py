@@ -5,8 +5,8 @@ import select
 import signal
 import subprocess
 
+from bumpless.contract import keys
 from tests.node.listening import PATIENCE_S, Listener, ended, light_node, listening
-from twin.contract import keys
 
 Process = subprocess.Popen[str]
 

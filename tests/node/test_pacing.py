@@ -3,7 +3,7 @@
 from hypothesis import given
 from hypothesis import strategies as st
 
-from twin.node.pacing import FreeClock, WallClock
+from bumpless.node.pacing import FreeClock, WallClock
 
 PERIOD = 50_000_000  # ns
 TICK = 1_000  # ns that reading the clock takes

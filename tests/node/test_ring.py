@@ -5,12 +5,12 @@ import threading
 import numpy as np
 import pytest
 
-from twin.events import TwinEvent
-from twin.node.ring import Cycle, Ring
-from twin.parameters import default_parameters
-from twin.records import LOG
-from twin.telemetry import FlightState
-from twin.vehicle import load_vehicle
+from bumpless.config.parameters import default_parameters
+from bumpless.config.vehicle import load_vehicle
+from bumpless.node.ring import Cycle, Ring
+from bumpless.records import LOG
+from bumpless.sim.events import TwinEvent
+from bumpless.telemetry import FlightState
 
 
 @pytest.fixture(scope="module")

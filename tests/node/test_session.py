@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from twin.node.session import choose_mode, session_config
+from bumpless.node.session import choose_mode, session_config
 
 
 @pytest.mark.parametrize(

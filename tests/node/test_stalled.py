@@ -3,8 +3,8 @@
 import signal
 import subprocess
 
+from bumpless.contract import bumpless_pb2 as pb
 from tests.node.listening import Listener, light_node, program
-from twin.contract import bumpless_pb2 as pb
 
 Process = subprocess.Popen[str]
 CYCLES = 60

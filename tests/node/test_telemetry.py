@@ -6,14 +6,14 @@ from typing import Any
 import numpy as np
 import pytest
 
+from bumpless.config.mission import parse_mission
+from bumpless.config.parameters import Parameters, default_parameters
+from bumpless.config.vehicle import Vehicle, load_vehicle
+from bumpless.contract import bumpless_pb2 as pb
+from bumpless.contract.keys import TOPICS
+from bumpless.records import LOG
+from bumpless.telemetry import FlightState, Teller, make_context, messages
 from tests.node.flying import MISSIONS, START_NS, Flying
-from twin.contract import bumpless_pb2 as pb
-from twin.contract.keys import TOPICS
-from twin.mission import parse_mission
-from twin.parameters import Parameters, default_parameters
-from twin.records import LOG
-from twin.telemetry import FlightState, Teller, make_context, messages
-from twin.vehicle import Vehicle, load_vehicle
 
 PER_CYCLE = [f"tlm/{name}" for name, topic in TOPICS.items() if topic.rate_hz is None]
 

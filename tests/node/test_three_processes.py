@@ -12,8 +12,8 @@ import pytest
 from ruamel.yaml import YAML
 from websockets.sync.client import connect as connect_websocket
 
+from bumpless.contract import bumpless_pb2 as pb
 from tests.node.listening import PATIENCE_S, ROOT, free_port, program
-from twin.contract import bumpless_pb2 as pb
 
 TOKEN = "a secret of this test"
 FRAMES = 6000  # of the stream, after which what was waited for will not come
@@ -32,7 +32,7 @@ class Field:
 
     def vehicle(self) -> Any:
         # Across machines the endpoint alone makes the vehicle the router's client; on loopback we say so.
-        return program("-m", "server.cli.main", *self._words("vehicle"), "--mode", "client")
+        return program("-m", "bumpless_server.cli.main", *self._words("vehicle"), "--mode", "client")
 
     def server(self) -> Any:
         environment = {k: self._here(str(v)) for k, v in self.services["server"]["environment"].items()}
@@ -44,7 +44,7 @@ class Field:
             "BUMPLESS_ZENOH_LISTEN": "tcp/127.0.0.1:0",
             "BUMPLESS_SCENE": "off",
         }
-        return program("-m", "server.cli.main", *self._words("server"), **environment)
+        return program("-m", "bumpless_server.cli.main", *self._words("server"), **environment)
 
     def _words(self, service: str) -> list[str]:
         return [self._here(word) for word in self.services[service]["command"]]

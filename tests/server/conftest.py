@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from server.settings import Settings
+from bumpless_server.settings import Settings
 from tests.server.serving import FAKE, Running, free_port, serving
 
 

@@ -17,13 +17,13 @@ from pathlib import Path
 
 import zenoh
 
-from server.bus import session_config
-from twin.contract import bumpless_pb2 as pb
-from twin.contract import keys
-from twin.mission import MissionError, parse_mission
-from twin.parameters import default_parameters, to_message
-from twin.telemetry import problem_messages
-from twin.vehicle import load_vehicle
+from bumpless.config.mission import MissionError, parse_mission
+from bumpless.config.parameters import default_parameters, to_message
+from bumpless.config.vehicle import load_vehicle
+from bumpless.contract import bumpless_pb2 as pb
+from bumpless.contract import keys
+from bumpless.telemetry import problem_messages
+from bumpless_server.live.bus import session_config
 
 PERIOD_S = 0.05
 
@@ -107,7 +107,7 @@ class FakeVehicle:
         self.put("health", pb.Health(stamp=self.stamp(), cycles=self.cycle, process_id=os.getpid()))
 
     def tick(self) -> None:
-        """One control cycle, in the order of twin.telemetry.Teller: an end is told after its last cycle."""
+        """One control cycle, in the order of telemetry.Teller: an end is told after its last cycle."""
         with self.lock:
             self.cycle += 1
             ended = False

@@ -12,9 +12,9 @@ from typing import Any
 import httpx
 import uvicorn
 
-from server.app import create_app
-from server.console import Console
-from server.settings import Settings
+from bumpless_server.console import Console
+from bumpless_server.settings import Settings
+from bumpless_server.web.app import create_app
 
 FAKE = Path(__file__).with_name("fake_vehicle.py")
 PATIENCE_S = 20.0  # how long a test waits before it fails; never how long it takes

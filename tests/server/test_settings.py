@@ -2,8 +2,8 @@
 
 import pytest
 
-from server.node_command import node_command
-from server.settings import Settings, SettingsError, load_settings
+from bumpless_server.settings import Settings, SettingsError, load_settings
+from bumpless_server.vehicle_process.node_command import node_command
 
 
 def test_defaults_are_loopback_only() -> None:
@@ -54,7 +54,7 @@ def test_the_node_connects_to_where_the_server_listens() -> None:
 
 def test_a_vehicle_file_names_its_id(tmp_path) -> None:
     """The id on the bus is the vehicle file's own."""
-    from twin.vehicle import load_vehicle
+    from bumpless.config.vehicle import load_vehicle
 
     path = tmp_path / "mine.toml"
     path.write_text(load_vehicle("ts100").text)

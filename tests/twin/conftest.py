@@ -5,10 +5,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from twin.mission import Mission, parse_mission
-from twin.model import build_model
-from twin.simulation import Result, simulate
-from twin.vehicle import Vehicle, load_vehicle
+from bumpless.config.mission import Mission, parse_mission
+from bumpless.config.vehicle import Vehicle, load_vehicle
+from bumpless.physics.model import build_model
+from bumpless.sim.twin import Result, simulate
 
 MISSIONS = Path(__file__).parents[2] / "missions"
 

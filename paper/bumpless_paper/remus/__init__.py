@@ -1,0 +1,1 @@
+"""REMUS as the thesis prints it, against what its geometry gives."""

@@ -1,0 +1,95 @@
+"""Flying many scenarios on many plants: one picklable job, one pool of spawned workers."""
+
+import multiprocessing
+import os
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, field
+from functools import cache
+from typing import Any
+
+from bumpless.config.mission import Mission
+from bumpless.config.parameters import Parameters
+from bumpless.config.vehicle import Vehicle, load_vehicle
+from bumpless.sim.twin import Result, simulate
+from bumpless_paper.study.figures import Figures, figures_of
+from bumpless_paper.study.plants import NOMINAL, Plant
+from bumpless_paper.study.scenarios import (
+    FAULT_TIME_S,
+    SCENARIOS,
+    VARIANTS,
+    Overrides,
+    Scenario,
+    mission_of,
+    parameters_of,
+)
+
+
+@dataclass(frozen=True)
+class Job:
+    """One flight: a scenario by name, a plant, a seed, and parameters laid under the scenario's own."""
+
+    scenario: str
+    seed: int = 1
+    plant: Plant = NOMINAL
+    extra: Overrides = field(default_factory=dict)
+    vehicle: str = "ts100"
+
+
+@cache
+def _vehicle(name: str) -> Vehicle:
+    return load_vehicle(name)
+
+
+def scenario_named(name: str) -> Scenario:
+    """One of the six, or a variant."""
+    return SCENARIOS[name] if name in SCENARIOS else VARIANTS[name]
+
+
+@cache
+def _mission(name: str) -> Mission:
+    return mission_of(scenario_named(name))
+
+
+def parameters_for(job: Job) -> Parameters:
+    """What the autopilot of a job flies with."""
+    return parameters_of(scenario_named(job.scenario), _vehicle(job.vehicle), job.extra)
+
+
+def fly(job: Job) -> Result:
+    """The flight of a job, whole."""
+    vehicle = _vehicle(job.vehicle)
+    return simulate(_mission(job.scenario), vehicle, parameters_for(job), job.seed, alter=job.plant)
+
+
+def figures_for(job: Job) -> Figures:
+    """The figures of a job. S1 to S4 have no fault: their post-fault figures are taken from the same time."""
+    return figures_of(fly(job), job.plant.fault_time or FAULT_TIME_S)
+
+
+def fly_all(
+    jobs: Iterable[Job],
+    work: Callable[[Job], Any] = figures_for,
+    workers: int | None = None,
+    progress: Callable[[int, int], None] | None = None,
+) -> list[Any]:
+    """`work` of every job, in order. workers: processes; 1 flies in this one, None uses every core.
+
+    progress(done, total) is called as answers come in.
+    """
+    todo = list(jobs)
+    count = min(workers or os.cpu_count() or 1, len(todo))
+    out: list[Any] = []
+
+    def collect(answers: Iterator[Any]) -> list[Any]:
+        for answer in answers:
+            out.append(answer)
+            if progress:
+                progress(len(out), len(todo))
+        return out
+
+    if count <= 1:
+        return collect(map(work, todo))
+    if todo:
+        work(todo[0])  # compile once, before the workers all do
+    with multiprocessing.get_context("spawn").Pool(count) as pool:
+        return collect(pool.imap(work, todo, chunksize=max(1, min(8, len(todo) // (4 * count)))))

@@ -1,0 +1,38 @@
+"""The command `bumpless`: one file per command, and nothing heavy imported before it is needed."""
+
+import typer
+
+from bumpless_server.cli import envelope, metrics, repair, reproduce, run, validate, vehicle
+from bumpless_server.cli.serve_command import serve
+
+app = typer.Typer(
+    name="bumpless",
+    help="Mission console and digital twin for over-actuated AUVs that dock.",
+    no_args_is_help=True,
+    add_completion=False,
+    rich_markup_mode=None,
+    pretty_exceptions_enable=False,
+)
+
+
+@app.callback(invoke_without_command=True)
+def _options(version: bool = typer.Option(False, "--version", help="Print the version and end.")) -> None:
+    if version:
+        from bumpless.contract.version import software_version
+
+        typer.echo(f"bumpless {software_version()}")
+        raise typer.Exit
+
+
+app.command()(serve)
+app.command()(vehicle.vehicle)
+app.command()(run.run)
+app.command()(validate.validate)
+app.command()(metrics.metrics)
+app.command()(envelope.envelope)
+app.command()(repair.repair)
+app.command()(reproduce.reproduce)
+
+
+if __name__ == "__main__":
+    app()

@@ -1,0 +1,72 @@
+"""`bumpless validate`: are these mission files fit to fly?"""
+
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+if TYPE_CHECKING:
+    from bumpless.config.mission import Mission
+
+
+def validate(
+    files: Annotated[
+        list[Path] | None, typer.Argument(help="Mission files.", exists=True, dir_okay=False, readable=True)
+    ] = None,
+    as_json: Annotated[bool, typer.Option("--json", help="Print the result as JSON.")] = False,
+    stability: Annotated[
+        bool,
+        typer.Option("--stability", help="Also warn of an unproven dwell time; some time per file."),
+    ] = False,
+    schema: Annotated[
+        bool, typer.Option("--schema", help="Print the JSON Schema of missions and end.")
+    ] = False,
+) -> None:
+    """Check mission files.
+
+    Every fault is one line: file:line:column: field = value; rule. With --stability, a dwell time that no
+    Lyapunov function proves long enough is a warning.
+
+    Exit code 1 when a file has a fault.
+    """
+    from bumpless.config.mission import MissionError, mission_json_schema, parse_mission
+
+    if schema:
+        typer.echo(json.dumps(mission_json_schema(), indent=2, ensure_ascii=False))
+        return
+    if not files:
+        typer.echo("bumpless validate: name at least one mission file", err=True)
+        raise typer.Exit(2)
+    results: list[dict[str, Any]] = []
+    for path in files:
+        problems, warnings = (), []
+        try:
+            mission = parse_mission(path.read_bytes().decode(), str(path))
+            warnings = _warnings(mission) if stability else []
+        except MissionError as error:
+            problems = error.problems
+        except UnicodeDecodeError:
+            typer.echo(f"{path}: is not UTF-8 text", err=True)
+            raise typer.Exit(1) from None
+        found = {"ok": not problems, "problems": [p.as_dict() for p in problems], "warnings": warnings}
+        results.append({"file": str(path), **found})
+        if not as_json:
+            for problem in problems:
+                typer.echo(str(problem), err=True)
+            for warning in warnings:
+                typer.echo(f"{path}: warning: {warning}", err=True)
+            if not problems:
+                typer.echo(f"{path}: ok")
+    if as_json:
+        typer.echo(json.dumps(results, indent=2, ensure_ascii=False))
+    if not all(result["ok"] for result in results):
+        raise typer.Exit(1)
+
+
+def _warnings(mission: "Mission") -> list[str]:
+    from bumpless.config.vehicle import load_vehicle
+    from bumpless.stability import check_dwell, dwell_warning
+
+    warning = dwell_warning(check_dwell(mission, load_vehicle(mission.vehicle)))
+    return [warning] if warning else []

@@ -1,0 +1,1 @@
+"""One vehicle as it is now: bus, state, stream to browsers."""

@@ -1,0 +1,1 @@
+"""Documents that people make before they fly: missions and saved parameters."""

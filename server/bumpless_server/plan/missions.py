@@ -1,0 +1,159 @@
+"""Mission files: those that come with the package, and uploaded ones in the data folder."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any
+
+from bumpless.config.mission import Mission, MissionError, missions_folder, parse_mission
+from bumpless.config.problems import Problem
+from bumpless.config.vehicle import Vehicle
+from bumpless_server.data_dir import write_whole
+from bumpless_server.files import BadName, checked_name
+
+ENDINGS = (".yaml", ".yml")
+
+
+class MissionExists(Exception):
+    """There is a mission of that name, and it was not to be replaced."""
+
+
+@dataclass(frozen=True)
+class MissionFile:
+    """A stored mission file. `mission` is None when a file put there by hand is faulty."""
+
+    name: str
+    path: Path
+    builtin: bool
+    text: str
+    mission: Mission | None
+    problems: tuple[Problem, ...] = ()
+
+    def as_dict(self, with_text: bool = False) -> dict[str, Any]:
+        """For JSON."""
+        mission = self.mission
+        told: dict[str, Any] = {
+            "name": self.name,
+            "file": self.path.name,
+            "title": (mission.title or mission.name) if mission else self.name,
+            "summary": mission.summary if mission else "",
+            "vehicle": mission.vehicle if mission else "",
+            "duration_s": mission.duration_s if mission else None,
+            "seed": mission.seed if mission else None,
+            "sha256": mission.sha256 if mission else "",
+            "builtin": self.builtin,
+            "valid": mission is not None,
+            "problems": [problem.as_dict() for problem in self.problems],
+            "modified": datetime.fromtimestamp(self.path.stat().st_mtime, UTC).isoformat(timespec="seconds"),
+        }
+        return told | {"yaml": self.text} | _plan(mission) if with_text else told
+
+
+def _plan(mission: Mission | None) -> dict[str, Any]:
+    """What a sketch of the plan needs; NED, metres, the start first."""
+    if mission is None:
+        return {}
+    target = mission.target
+    return {
+        "path_ned_m": mission.path_ned_m,
+        "target": {
+            "position_ned_m": target.position_ned_m,
+            "heading_deg": target.heading_deg,
+            "observation_point_ned_m": target.observation_point_ned_m,
+        },
+        "current_ned_mps": mission.environment.current_ned_mps,
+    }
+
+
+class Missions:
+    """All missions by name (the file's, without .yaml).
+
+    `vehicle` tells which vehicle is on the bus: a mission may be for it though its file is not ours.
+    """
+
+    def __init__(
+        self,
+        uploads: Path,
+        builtin: Path | None = None,
+        vehicle: Callable[[], Vehicle | None] = lambda: None,
+    ) -> None:
+        self._uploads = uploads
+        self._builtin = builtin or missions_folder()
+        self._vehicle = vehicle
+        self._read: dict[Path, tuple[tuple[int, int, str], MissionFile]] = {}
+
+    def all(self) -> list[MissionFile]:
+        """Built-in missions first, each group by name."""
+        paths = [
+            path
+            for folder in (self._builtin, self._uploads)
+            for ending in ENDINGS
+            for path in folder.glob(f"*{ending}")
+            if not path.name.startswith(".") and path.is_file()
+        ]
+        found = {path.stem: self._load(path) for path in reversed(paths)}
+        return sorted(found.values(), key=lambda file: (not file.builtin, file.name))
+
+    def get(self, name: str) -> MissionFile | None:
+        """One mission; `name` with or without .yaml."""
+        try:
+            name = checked_name(name, *ENDINGS)
+        except BadName:
+            return None
+        return next((file for file in self.all() if file.name == name), None)
+
+    def save(self, name: str, text: str, replace: bool) -> MissionFile:
+        """Check an uploaded mission and keep it. Raises BadName, MissionError or MissionExists."""
+        name = checked_name(name, *ENDINGS)
+        _parse(text, f"{name}.yaml", self._vehicle())
+        present = self.get(name)
+        if present is not None and present.builtin:
+            raise MissionExists(f"{name} is a built-in mission; give yours another name")
+        if present is not None and not replace:
+            raise MissionExists(f"there is a mission {name} already")
+        path = self._uploads / f"{name}.yaml"
+        write_whole(path, text.encode())
+        if present is not None and present.path != path:
+            present.path.unlink(missing_ok=True)
+        return self._load(path)
+
+    def delete(self, name: str) -> bool:
+        """Remove an uploaded mission; False when there is none. Raises MissionExists for a built-in one."""
+        present = self.get(name)
+        if present is None:
+            return False
+        if present.builtin:
+            raise MissionExists(f"{present.name} is a built-in mission and stays")
+        present.path.unlink(missing_ok=True)
+        return True
+
+    def _load(self, path: Path) -> MissionFile:
+        found, vehicle = path.stat(), self._vehicle()
+        mark = (found.st_mtime_ns, found.st_size, vehicle.sha256 if vehicle else "")
+        cached = self._read.get(path)
+        if cached is not None and cached[0] == mark:
+            return cached[1]
+        builtin = path.parent == self._builtin
+        text = ""
+        try:
+            text = path.read_text(encoding="utf-8", errors="replace")
+            file = MissionFile(path.stem, path, builtin, text, _parse(text, path.name, vehicle))
+        except MissionError as error:
+            file = MissionFile(path.stem, path, builtin, text, None, error.problems)
+        except OSError as error:
+            problem = Problem(path.name, None, None, "", None, f"cannot be read: {error.strerror}")
+            file = MissionFile(path.stem, path, builtin, text, None, (problem,))
+        self._read[path] = (mark, file)
+        return file
+
+
+def _parse(text: str, source: str, present: Vehicle | None) -> Mission:
+    """Check a mission against the vehicle file of the name it asks for, or the present vehicle's own."""
+    try:
+        return parse_mission(text, source)
+    except MissionError as error:
+        unknown = any(one.field == "vehicle" for one in error.problems)
+        if present is None or not unknown or present.id not in text:
+            raise
+        return parse_mission(text, source, present)

@@ -1,0 +1,1 @@
+"""What was flown: the log format, the recorder, the catalogue of files."""

@@ -1,0 +1,176 @@
+"""The list of runs: an SQLite index beside the MCAP files, which are the truth.
+
+The index can be lost or wrong at any time: `refresh` compares it with the files and reads again what
+differs. Files that a killed server left without an end are repaired first.
+"""
+
+import contextlib
+import json
+import logging
+import sqlite3
+import threading
+from collections.abc import Callable, Iterator
+from dataclasses import asdict, dataclass, fields, replace
+from pathlib import Path
+from typing import Any
+
+from bumpless.metrics import as_dict
+from bumpless_server.runs.run_file import figures_of
+from bumpless_server.runs.run_summary import CUT_OFF, RunSummary, is_whole, summarise
+
+log = logging.getLogger(__name__)
+
+LAYOUT = 1  # grows when the table changes: an older index is then built anew
+_TABLE = """CREATE TABLE runs (
+    id TEXT PRIMARY KEY, run_id TEXT, mission TEXT, mission_sha256 TEXT, vehicle TEXT, started_ns INTEGER,
+    duration_s REAL, state TEXT, end_reason TEXT, messages INTEGER, dropped INTEGER, metrics TEXT,
+    bytes INTEGER, modified_ns INTEGER)"""
+
+
+@dataclass(frozen=True)
+class Row:
+    """One finished run."""
+
+    summary: RunSummary
+    bytes: int
+    modified_ns: int
+
+    def as_dict(self) -> dict[str, Any]:
+        """For JSON; metrics as an object or None."""
+        return asdict(self.summary) | {"bytes": self.bytes}
+
+
+class Catalogue:
+    """Finished runs in `folder`, indexed in `index`. Usable from any thread."""
+
+    def __init__(self, folder: Path, index: Path) -> None:
+        self._folder, self._index = folder, index
+        self._lock = threading.RLock()
+        self._db: sqlite3.Connection | None = None
+
+    def open(self) -> None:
+        """Open the index; a damaged or older one is thrown away, for the files hold everything."""
+        with self._lock:
+            try:
+                self._db = self._connect()
+            except sqlite3.DatabaseError as error:
+                log.warning("the index of runs is rebuilt: %s", error)
+                for path in self._index.parent.glob(self._index.name + "*"):
+                    path.unlink()
+                self._db = self._connect()
+
+    def close(self) -> None:
+        """Close the index."""
+        with self._lock:
+            if self._db is not None:
+                self._db.close()
+                self._db = None
+
+    def refresh(self, busy: Callable[[], Path | None] = lambda: None) -> list[Path]:
+        """Make the index agree with the files; returns those that were repaired.
+
+        The file that `busy` names is being written and is left alone.
+        """
+        repaired = []
+        with self._lock:
+            known = {
+                row["id"]: (row["bytes"], row["modified_ns"]) for row in self._rows("SELECT * FROM runs")
+            }
+        present = set()
+        for path in sorted(self._folder.glob("*.mcap")):
+            present.add(path.stem)
+            if path == busy():
+                continue
+            with contextlib.suppress(FileNotFoundError):
+                if not is_whole(path) and _repaired(path):
+                    repaired.append(path)
+                found = path.stat()
+                if known.get(path.stem) != (found.st_size, found.st_mtime_ns):
+                    self.add(path)
+        with self._lock, self._database() as db:
+            db.executemany("DELETE FROM runs WHERE id = ?", [(run,) for run in known if run not in present])
+        return repaired
+
+    def add(self, path: Path) -> None:
+        """Index one finished file, or again."""
+        found = path.stat()
+        summary = summarise(path)
+        if summary.metrics is None and summary.end_reason == CUT_OFF:
+            figures = figures_of(path, summary.run_id)
+            summary = replace(summary, metrics=as_dict(figures) if figures is not None else None)
+        values = asdict(summary) | {"bytes": found.st_size, "modified_ns": found.st_mtime_ns}
+        values["metrics"] = json.dumps(summary.metrics) if summary.metrics is not None else None
+        names = ", ".join(values)
+        marks = ", ".join(f":{name}" for name in values)
+        with self._lock, self._database() as db:
+            db.execute(f"INSERT OR REPLACE INTO runs ({names}) VALUES ({marks})", values)
+
+    def rows(self) -> list[Row]:
+        """All finished runs, newest first."""
+        with self._lock:
+            return [_row(row) for row in self._rows("SELECT * FROM runs ORDER BY started_ns DESC, id DESC")]
+
+    def row(self, run: str) -> Row | None:
+        """One finished run."""
+        with self._lock:
+            found = self._rows("SELECT * FROM runs WHERE id = ?", run)
+            return _row(found[0]) if found else None
+
+    def path(self, run: str) -> Path | None:
+        """The file of a run, finished or not; None when there is none of that name."""
+        path = self._folder / f"{run}.mcap"
+        return path if path.parent == self._folder and path.is_file() else None
+
+    def delete(self, run: str) -> bool:
+        """Remove a finished run, file and index; False when there is none."""
+        path = self.path(run)
+        with self._lock, self._database() as db:
+            gone = db.execute("DELETE FROM runs WHERE id = ?", (run,)).rowcount > 0
+        if path is not None:
+            path.unlink(missing_ok=True)
+        return gone or path is not None
+
+    def _connect(self) -> sqlite3.Connection:
+        db = sqlite3.connect(self._index, check_same_thread=False)
+        try:
+            db.row_factory = sqlite3.Row
+            layout = db.execute("PRAGMA user_version").fetchone()[0]
+            if layout != LAYOUT:
+                with db:
+                    db.execute("DROP TABLE IF EXISTS runs")
+                    db.execute(_TABLE)
+                    db.execute(f"PRAGMA user_version = {LAYOUT}")
+            db.execute("SELECT count(*) FROM runs").fetchone()
+        except sqlite3.DatabaseError:
+            db.close()
+            raise
+        return db
+
+    @contextlib.contextmanager
+    def _database(self) -> Iterator[sqlite3.Connection]:
+        if self._db is None:
+            raise RuntimeError("the catalogue is closed")
+        with self._db:
+            yield self._db
+
+    def _rows(self, query: str, *values: str) -> list[sqlite3.Row]:
+        with self._database() as db:
+            return db.execute(query, values).fetchall()
+
+
+def _row(row: sqlite3.Row) -> Row:
+    values = {item.name: row[item.name] for item in fields(RunSummary)}
+    values["metrics"] = json.loads(row["metrics"]) if row["metrics"] else None
+    return Row(RunSummary(**values), row["bytes"], row["modified_ns"])
+
+
+def _repaired(path: Path) -> bool:
+    from bumpless_server.runs.writer import repair
+
+    try:
+        repair(path)
+    except Exception:
+        log.exception("%s cannot be repaired and is left as it is", path)
+        return False
+    log.warning("%s was cut off and has been repaired", path)
+    return True

@@ -1,0 +1,260 @@
+"""Records every run by itself: begins when the vehicle says RUNNING, ends when it says it has ended.
+
+Works on its own thread behind a bounded queue. A slow disk fills the queue, which then drops its
+oldest messages and counts them; the bus, the web and the vehicle never wait. A disk without room is not
+written to, and one that fails is tried again after longer and longer pauses; the operator is told of both.
+"""
+
+import logging
+import time
+from collections import deque
+from collections.abc import Callable
+from pathlib import Path
+
+from bumpless.contract import bumpless_pb2 as pb
+from bumpless_server.live.boxes import BoundedQueue
+from bumpless_server.live.sample import EVENT, Sample, stamp_of
+from bumpless_server.live.worker import Worker
+from bumpless_server.runs.disk_budget import DiskBudget
+from bumpless_server.runs.run_file import RunFile
+from bumpless_server.runs.run_summary import COMPLETE, INTERRUPTED
+
+log = logging.getLogger(__name__)
+
+FLUSH_S = 1.0
+PRE_ROLL = 1000  # messages kept while idle: a run's first cycles may precede its mission status
+SETTLE_S = 0.5  # after the end, for the rest of the last cycle
+RETRY_S = 5.0  # after a disk without room, and the first time after a failing one
+MAX_RETRY_S = 300.0  # each try may leave a part of the run behind: twice as long each time, up to this
+MISSION = "tlm/mission"
+CONTEXT = ("tlm/description", "tlm/parameters", "tlm/plan")
+_ACTIVE = (pb.MISSION_PHASE_RUNNING, pb.MISSION_PHASE_PAUSED)
+_REASONS = {pb.MISSION_PHASE_COMPLETED: "completed", pb.MISSION_PHASE_ABORTED: "aborted"}
+
+Say = Callable[[pb.Severity, str, str, dict[str, str]], None]
+
+
+class _LinkLost:
+    """Marks the place in the queue where the vehicle was lost."""
+
+
+class Recorder:
+    """Writes runs into `folder`. `closed(path)` is called after each file's end, on this thread."""
+
+    def __init__(
+        self,
+        folder: Path,
+        version: str,
+        say: Say,
+        closed: Callable[[Path], None],
+        queue_messages: int = 20_000,
+        queue_bytes: int = 64_000_000,
+        budget: DiskBudget | None = None,
+    ) -> None:
+        self._folder, self._version, self._say, self._closed = folder, version, say, closed
+        self._queue: BoundedQueue[Sample | _LinkLost] = BoundedQueue(
+            queue_messages,
+            queue_bytes,
+            size=lambda item: len(item.payload) if isinstance(item, Sample) else 0,
+            keep=lambda item: isinstance(item, _LinkLost) or item.topic == MISSION,
+        )
+        self._context: dict[str, Sample] = {}
+        self._recent: deque[Sample] = deque(maxlen=PRE_ROLL)
+        self._run: RunFile | None = None
+        self._dropped_before = 0
+        self._end: tuple[pb.MissionStatus, float] | None = None  # last status and when to close
+        self._flush_at = 0.0
+        self._budget = budget or DiskBudget(folder)
+        self._lack = ""  # of room on the disk
+        self._failure = ""  # of the last write
+        self._told: set[tuple[str, str]] = set()  # what was said of which run
+        self._tried = ""  # the run that was recorded last, or should have been
+        self._retry_at = 0.0
+        self._retry_s = RETRY_S
+        self._worker = Worker(
+            "recorder",
+            self._queue,
+            lambda item: self._guard(self._handle, item),
+            lambda: self._guard(self._on_time),
+            self._wait_s,
+            self._close,
+        )
+
+    def start(self) -> None:
+        """Begin to listen for runs."""
+        self._worker.start()
+
+    def stop(self) -> None:
+        """Write what is queued, close the file of a run still going on and end."""
+        self._worker.stop()
+
+    def offer(self, sample: Sample) -> None:
+        """Take in a message; callable from any thread, never waits."""
+        if sample.from_vehicle:
+            self._queue.put(sample)
+
+    def link_lost(self) -> None:
+        """The vehicle is gone: the run's file is closed."""
+        self._queue.put(_LinkLost())
+
+    @property
+    def recording(self) -> RunFile | None:
+        """The run being written now; read its id, path and flushed_bytes only."""
+        return self._run
+
+    @property
+    def trouble(self) -> str:
+        """Why a run is not or would not be recorded, for the operator; "" when all is well."""
+        return self._failure or self._lack
+
+    @property
+    def dropped(self) -> int:
+        """Messages that the disk was too slow for, since the server's start."""
+        return self._queue.dropped
+
+    def _close(self) -> None:
+        self._guard(self._finish_ended)
+        self._guard(self._finish, INTERRUPTED, "the server was stopped")
+
+    def _guard(self, action: Callable[..., None], *arguments: object) -> None:
+        """A failing disk ends a file, not the recorder."""
+        try:
+            action(*arguments)
+        except Exception as error:
+            log.exception("the recorder failed")
+            run, self._end = self._run, None
+            self._failure = f"writing failed: {error}"
+            self._retry_at = time.monotonic() + self._retry_s
+            self._retry_s = min(2 * self._retry_s, MAX_RETRY_S)
+            self._complain("recorder_failed", self._tried)
+            if run is not None:
+                run.abandon()
+                self._closed(run.path)
+            self._run = None
+
+    def _complain(self, code: str, run_id: str) -> None:
+        """Say once of each run why it is not recorded, and of none why it would not be."""
+        if (code, run_id) in self._told:
+            return
+        self._told.add((code, run_id))
+        severity = pb.SEVERITY_ALARM if run_id else pb.SEVERITY_WARNING
+        what = f"Run {run_id} is not being recorded" if run_id else "Runs cannot be recorded"
+        self._say(severity, code, f"{what}: {self.trouble}", {"run": run_id})
+
+    def _has_room(self, run_id: str) -> bool:
+        """Is there room for this run, or for any ("")?"""
+        self._lack = self._budget.lack()
+        if self._lack:
+            self._retry_at = time.monotonic() + RETRY_S
+            self._complain("no_room_to_record", run_id)
+        return not self._lack
+
+    def _wait_s(self) -> float | None:
+        if self._run is None:
+            return None
+        due = self._flush_at if self._end is None else min(self._flush_at, self._end[1])
+        return max(0.0, due - time.monotonic())
+
+    def _on_time(self) -> None:
+        now = time.monotonic()
+        if self._end is not None and now >= self._end[1]:
+            self._finish_ended()
+        if self._run is not None and now >= self._flush_at:
+            self._run.flush()
+            self._flush_at, self._failure = now + FLUSH_S, ""
+            if self._end is None and not self._has_room(self._run.run_id):
+                self._finish(INTERRUPTED, self._lack)
+
+    def _handle(self, item: Sample | _LinkLost) -> None:
+        if isinstance(item, _LinkLost):
+            if self._end is not None:
+                self._finish_ended()
+            self._finish(INTERRUPTED, "link to the vehicle lost")
+            self._context.clear()
+            self._recent.clear()
+            return
+        if self._end is not None and _cycle(item) > self._end[0].stamp.cycle:
+            self._finish_ended()
+        if item.topic in CONTEXT:
+            self._context[item.topic] = item
+        self._recent.append(item)
+        status = item.decode() if item.topic == MISSION else None
+        if isinstance(status, pb.MissionStatus) and self._on_status(status):
+            return
+        if self._run is not None:
+            self._run.write(item)
+
+    def _on_status(self, status: pb.MissionStatus) -> bool:
+        """Begin or end a file as the vehicle says; True when the status itself was written by that."""
+        run = self._run
+        if status.phase in _ACTIVE and status.run_id:
+            if run is not None and run.run_id == status.run_id:
+                run.status = status
+                return False
+            self._finish(INTERRUPTED, f"run {status.run_id} began")
+            if status.run_id != self._tried or time.monotonic() >= self._retry_at:
+                self._tried = status.run_id
+                if self._has_room(status.run_id):
+                    self._begin(status)
+            return self._run is not None
+        if run is None and time.monotonic() >= self._retry_at:
+            self._retry_at = time.monotonic() + RETRY_S
+            self._has_room("")
+        elif run is not None and self._end is None:
+            if status.run_id == run.run_id:
+                run.status = status
+            self._end = (status, time.monotonic() + SETTLE_S)
+        return False
+
+    def _begin(self, status: pb.MissionStatus) -> None:
+        self._dropped_before = self._queue.dropped
+        self._run = run = RunFile(self._folder, status, dict(self._context), self._version)
+        for sample in self._recent:
+            if sample.topic not in CONTEXT and self._belongs(sample, status):
+                run.write(sample)
+        self._flush_at = time.monotonic() + FLUSH_S
+        if any(told == status.run_id for _, told in self._told):
+            what = f"Run {status.run_id} is being recorded again, as {run.id}"
+            self._say(pb.SEVERITY_INFO, "recording_again", what, {"run": run.id})
+        log.info("recording %s", run.path)
+
+    def _belongs(self, sample: Sample, status: pb.MissionStatus) -> bool:
+        """Was this said in a cycle of the mission whose first heard status is `status`?"""
+        stamp, period = stamp_of(sample.payload), self._period_s()
+        slack = 0.25 * period if status.elapsed_s > 0 else 0.0  # cycles are paced, not exact
+        began_ns = status.stamp.time_ns - round((status.elapsed_s + slack) * 1e9)
+        first = status.stamp.cycle - round(status.elapsed_s / period)
+        return stamp is not None and stamp.cycle >= first and stamp.time_ns >= began_ns
+
+    def _finish_ended(self) -> None:
+        if self._end is None:
+            return
+        status = self._end[0]
+        state = COMPLETE if status.phase in _REASONS else INTERRUPTED
+        self._finish(state, status.end_reason or _REASONS.get(status.phase, "the vehicle is idle"))
+
+    def _finish(self, state: str, reason: str) -> None:
+        run, self._end = self._run, None
+        if run is None:
+            return
+        try:
+            run.finish(state, reason, self._queue.dropped - self._dropped_before)
+            if state == COMPLETE:
+                self._retry_s, self._failure = RETRY_S, ""
+                self._told.clear()
+        finally:
+            self._closed(run.path)
+            self._run = None  # only now: a run is always either being recorded or in the catalogue
+        log.info("closed %s (%s: %s)", run.path, state, reason)
+
+    def _period_s(self) -> float:
+        description = self._context.get("tlm/description")
+        message = description.decode() if description else None
+        period = message.control_period_s if isinstance(message, pb.VehicleDescription) else 0.0
+        return period or 0.05
+
+
+def _cycle(sample: Sample) -> int:
+    """Control cycle a message belongs to; 0 when it does not say."""
+    stamp = stamp_of(sample.payload) if sample.topic.startswith("tlm/") or sample.topic == EVENT else None
+    return 0 if stamp is None else stamp.cycle

@@ -1,0 +1,38 @@
+"""Words beside the vehicle: mode, or why the picture is not live."""
+
+from math import isfinite
+
+from bumpless.contract import bumpless_pb2 as pb
+from bumpless_server.scene.palette import MODE_NAME
+
+PHASE_NAME: dict[int, str] = {
+    pb.MISSION_PHASE_IDLE: "Idle",
+    pb.MISSION_PHASE_PAUSED: "Paused",
+    pb.MISSION_PHASE_COMPLETED: "Completed",
+    pb.MISSION_PHASE_ABORTED: "Aborted",
+}
+FLYING = (pb.MISSION_PHASE_RUNNING, pb.MISSION_PHASE_PAUSED)
+
+
+def trail_mode(phase: int, mode: int) -> int:
+    """The mode whose colour counts: none while no mission is flown."""
+    return mode if phase in FLYING else pb.MODE_UNSPECIFIED
+
+
+def body_text(
+    link: int, age_s: float, phase: int, supervisor: pb.Supervisor, navigation: pb.Navigation
+) -> str:
+    """One line over the vehicle."""
+    if link == pb.LINK_STATE_WAITING:
+        return "waiting for a vehicle"
+    if link in (pb.LINK_STATE_STALE, pb.LINK_STATE_LOST):
+        word = "LINK LOST" if link == pb.LINK_STATE_LOST else "STALE"
+        age = f"{age_s:.0f} s old" if isfinite(age_s) else "nothing received"
+        return f"{word} · last telemetry {age}"
+    words = [PHASE_NAME[phase]] if phase in PHASE_NAME else []
+    if phase in FLYING:
+        words.append(MODE_NAME.get(supervisor.mode, "no mode"))
+        if supervisor.kappa < 1.0:
+            words[-1] += f"  κ {supervisor.kappa:.2f}"
+    words.append(f"{navigation.speed_over_ground_mps:.2f} m/s · depth {navigation.depth_m:.2f} m")
+    return " · ".join(words)

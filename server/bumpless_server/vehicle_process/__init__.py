@@ -1,0 +1,1 @@
+"""The vehicle node as a child process: started, watched, started again."""

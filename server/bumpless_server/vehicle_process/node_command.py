@@ -1,0 +1,19 @@
+"""How the vehicle node is started: this package's own command, with this interpreter."""
+
+import sys
+
+from bumpless_server.settings import Settings
+
+ANY_ADDRESS = ("0.0.0.0", "[::]")  # where a session may listen, but not what one connects to
+
+
+def node_command(settings: Settings) -> tuple[str, ...]:
+    """Command line of the vehicle node that connects to this server's bus."""
+    if settings.node_command:
+        return settings.node_command
+    command = [sys.executable, "-m", "bumpless_server.cli.main", "vehicle", settings.vehicle]
+    for endpoint in settings.zenoh_listen or settings.zenoh_connect:
+        for address in ANY_ADDRESS:
+            endpoint = endpoint.replace(f"/{address}:", "/127.0.0.1:")
+        command += ["--connect", endpoint]
+    return tuple(command)

@@ -1,0 +1,60 @@
+"""The web application around a console: routes, guard, scene and page."""
+
+import logging
+from collections.abc import AsyncIterator
+from contextlib import AsyncExitStack, asynccontextmanager
+
+from fastapi import FastAPI
+from fastapi.concurrency import run_in_threadpool
+
+from bumpless_server.console import Console
+from bumpless_server.scene.scene import Scene
+from bumpless_server.settings import Settings
+from bumpless_server.web import errors
+from bumpless_server.web.auth import Auth
+from bumpless_server.web.body_limit import BodyLimit
+from bumpless_server.web.guard import Guard
+from bumpless_server.web.routes import missions, page, parameters, runs, status, stream
+
+log = logging.getLogger(__name__)
+
+
+def create_app(settings: Settings, console: Console | None = None) -> FastAPI:
+    """The application. Its lifespan starts and stops the console; one that runs already stays running."""
+    console = console or Console(settings)
+    own = not console.started
+
+    @asynccontextmanager
+    async def lifespan(app: FastAPI) -> AsyncIterator[None]:
+        async with AsyncExitStack() as stack:
+            if own:
+                await run_in_threadpool(console.start)
+                stack.push_async_callback(run_in_threadpool, console.stop)
+            if app.state.scene is not None:
+                await _start(app.state.scene, stack)
+            yield
+
+    app = FastAPI(title="Bumpless", version=console.version, lifespan=lifespan, docs_url=None, redoc_url=None)
+    app.state.console = console
+    app.state.auth = auth = Auth(settings, console.data.secret())
+    app.add_middleware(BodyLimit, max_bytes=settings.upload_bytes)
+    app.add_middleware(Guard, auth=auth)
+    errors.install(app)
+    for part in (status, missions, parameters, runs, stream):
+        app.include_router(part.router)
+    app.state.scene = None
+    if settings.scene != "off":
+        app.state.scene = scene = Scene(console.state, settings, light=settings.scene == "light")
+        app.include_router(scene.router)
+    page.mount(app)
+    return app
+
+
+async def _start(scene: Scene, stack: AsyncExitStack) -> None:
+    """A scene that cannot start is no reason to be without a console."""
+    try:
+        await scene.start()
+    except Exception:
+        log.exception("the 3-D scene could not be started")
+    else:
+        stack.push_async_callback(scene.stop)

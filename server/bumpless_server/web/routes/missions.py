@@ -1,0 +1,98 @@
+"""Mission files, and what can be done with the mission being flown."""
+
+from typing import Any
+
+from fastapi import APIRouter, Body, Request, Response
+from fastapi.concurrency import run_in_threadpool
+from fastapi.responses import JSONResponse
+from google.protobuf.message import Message
+from pydantic import BaseModel, ConfigDict, Field
+
+from bumpless.contract import bumpless_pb2 as pb
+from bumpless_server.web.errors import Refusal
+from bumpless_server.web.routes import Served
+from bumpless_server.web.routes.status import told
+
+router = APIRouter(prefix="/api")
+
+
+class Start(BaseModel):
+    """Request to fly a mission."""
+
+    model_config = ConfigDict(extra="forbid")
+    name: str
+    seed: int | None = Field(None, ge=0, le=2**32 - 1)
+    operator: str = Field("", max_length=80)
+
+
+async def text_of(request: Request) -> str:
+    """The request's body as text; its length is bounded for all requests alike."""
+    body = await request.body()
+    try:
+        return body.decode("utf-8")
+    except UnicodeDecodeError as error:
+        raise Refusal(422, f"must be UTF-8 text; byte {error.start} is not") from error
+
+
+def carry_out(console: Served, verb: str, request: Message) -> dict[str, Any]:
+    """Ask the vehicle; its refusal is a 409 with its reason."""
+    reply = console.command(verb, request)
+    answer = {"accepted": reply.accepted, "reason": reply.reason, "run_id": reply.run_id}
+    answer["revision"] = reply.revision
+    problems = [told(problem) for problem in reply.problems]
+    if not reply.accepted:
+        raise Refusal(409, reply.reason or f"the vehicle refuses '{verb}'", problems, **answer)
+    return {**answer, "problems": problems}
+
+
+@router.get("/missions")
+def missions(console: Served) -> list[dict[str, Any]]:
+    """All missions, built-in ones first."""
+    return [file.as_dict() for file in console.missions.all()]
+
+
+@router.get("/missions/{name}")
+def mission(console: Served, name: str) -> dict[str, Any]:
+    """One mission with its text."""
+    file = console.missions.get(name)
+    if file is None:
+        raise Refusal(404, f"there is no mission {name!r}")
+    return file.as_dict(with_text=True)
+
+
+@router.post("/missions", status_code=201)
+async def upload(console: Served, request: Request, name: str, replace: bool = False) -> JSONResponse:
+    """Check and keep a mission file, sent as the body's text."""
+    text = await text_of(request)
+    file = await run_in_threadpool(console.missions.save, name, text, replace)
+    return JSONResponse(file.as_dict(with_text=True), 201, {"location": f"/api/missions/{file.name}"})
+
+
+@router.delete("/missions/{name}", status_code=204)
+def remove(console: Served, name: str) -> Response:
+    """Delete an uploaded mission."""
+    if not console.missions.delete(name):
+        raise Refusal(404, f"there is no mission {name!r}")
+    return Response(status_code=204)
+
+
+@router.post("/mission/start")
+def start(console: Served, wanted: Start = Body(...)) -> dict[str, Any]:
+    """Fly a stored mission."""
+    file = console.missions.get(wanted.name)
+    if file is None:
+        raise Refusal(404, f"there is no mission {wanted.name!r}")
+    if file.mission is None:
+        raise Refusal(422, f"{file.path.name} is not valid", [one.as_dict() for one in file.problems])
+    request = pb.StartMission(
+        file_name=file.path.name, mission_yaml=file.text, seed=wanted.seed, operator=wanted.operator
+    )
+    return carry_out(console, "start", request)
+
+
+@router.post("/mission/{verb}")
+def change(console: Served, verb: str) -> dict[str, Any]:
+    """Pause, resume or abort."""
+    if verb not in ("pause", "resume", "abort"):
+        raise Refusal(404, f"there is no command {verb!r}")
+    return carry_out(console, verb, pb.Empty())

@@ -1,0 +1,86 @@
+"""What the vehicle is tuned with: read as confirmed by it, changed only through it; saved presets."""
+
+import json
+from typing import Any
+
+from fastapi import APIRouter, Request, Response
+from fastapi.concurrency import run_in_threadpool
+
+from bumpless.contract import bumpless_pb2 as pb
+from bumpless_server.live import tuning
+from bumpless_server.web.errors import Refusal
+from bumpless_server.web.routes import Served
+from bumpless_server.web.routes.missions import carry_out, text_of
+
+router = APIRouter(prefix="/api")
+
+
+async def _body(request: Request) -> Any:
+    text = await text_of(request)
+    try:
+        return json.loads(text)
+    except (ValueError, RecursionError) as error:
+        raise Refusal(422, f"must be JSON: {error}") from error
+
+
+@router.get("/parameters")
+def parameters(console: Served) -> dict[str, Any]:
+    """What the vehicle flies with now, its defaults, and what each number may be."""
+    status = console.state.latest("parameters")
+    if not isinstance(status, pb.ParametersStatus):
+        raise Refusal(404, f"vehicle {console.state.vehicle_id} has not told its parameters yet")
+    return {
+        "active": tuning.as_json(status.active),
+        "defaults": tuning.as_json(status.defaults),
+        "revision": status.revision,
+        "sha256": status.sha256,
+        "ranges": tuning.ranges(),
+    }
+
+
+@router.put("/parameters")
+async def change(console: Served, request: Request) -> dict[str, Any]:
+    """Ask the vehicle to fly with these, all of them."""
+    given = await _body(request)
+
+    def ask() -> dict[str, Any]:
+        return carry_out(console, "set_parameters", tuning.parse(given, console.vehicle()))
+
+    return await run_in_threadpool(ask)
+
+
+@router.get("/presets")
+def presets(console: Served) -> list[dict[str, Any]]:
+    """All saved presets."""
+    return console.presets.all()
+
+
+@router.get("/presets/{name}")
+def preset(console: Served, name: str) -> dict[str, Any]:
+    """One preset."""
+    found = console.presets.get(name)
+    if found is None:
+        raise Refusal(404, f"there is no preset {name!r}")
+    return found
+
+
+@router.put("/presets/{name}")
+async def save(console: Served, request: Request, name: str) -> dict[str, Any]:
+    """Keep or replace a preset: a whole set of parameters within the present vehicle's ranges."""
+    given = await _body(request)
+
+    def keep() -> dict[str, Any]:
+        # What is kept is what was understood: {"parameters": {...}} as read, or the object itself.
+        inner = given.get("parameters", given) if isinstance(given, dict) else given
+        console.presets.save(name, tuning.as_json(tuning.parse(inner, console.vehicle())))
+        return console.presets.get(name) or {}
+
+    return await run_in_threadpool(keep)
+
+
+@router.delete("/presets/{name}", status_code=204)
+def remove(console: Served, name: str) -> Response:
+    """Forget a preset."""
+    if not console.presets.delete(name):
+        raise Refusal(404, f"there is no preset {name!r}")
+    return Response(status_code=204)

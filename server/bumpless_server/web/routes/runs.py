@@ -1,0 +1,118 @@
+"""Recorded runs: the list, one run, its log as a download, its metrics."""
+
+from collections.abc import Iterator
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any
+
+from fastapi import APIRouter, Response
+from fastapi.responses import FileResponse, StreamingResponse
+
+from bumpless_server.runs.catalogue import Row
+from bumpless_server.runs.run_file import RunFile
+from bumpless_server.runs.run_summary import RECORDING
+from bumpless_server.web.errors import Refusal
+from bumpless_server.web.routes import Served
+
+router = APIRouter(prefix="/api/runs")
+
+MEDIA_TYPE = "application/x-mcap"
+BLOCK_BYTES = 256 * 1024
+
+
+def _started(started_ns: int) -> str:
+    return datetime.fromtimestamp(started_ns * 1e-9, UTC).isoformat(timespec="milliseconds")
+
+
+def _finished(row: Row) -> dict[str, Any]:
+    told = row.as_dict()
+    return told | {"started": _started(told.pop("started_ns"))}
+
+
+def _going_on(run: RunFile) -> dict[str, Any]:
+    status = run.status
+    return {
+        "id": run.id,
+        "run_id": run.run_id,
+        "mission": status.mission_name,
+        "mission_sha256": status.mission_sha256,
+        "started": _started(status.stamp.time_ns - round(status.elapsed_s * 1e9)),
+        "duration_s": status.elapsed_s,
+        "bytes": run.flushed_bytes,
+        "messages": run.messages,
+        "state": RECORDING,
+        "end_reason": "",
+        "metrics": None,
+    }
+
+
+def _going_on_of(console: Served, run: str) -> RunFile | None:
+    recording = console.recorder.recording
+    return recording if recording is not None and recording.id == run else None
+
+
+@router.get("")
+def runs(console: Served) -> list[dict[str, Any]]:
+    """All runs, newest first; the one being recorded at the top."""
+    recording = console.recorder.recording
+    finished = [_finished(row) for row in console.catalogue.rows()]
+    if recording is None:
+        return finished
+    return [_going_on(recording), *(run for run in finished if run["id"] != recording.id)]
+
+
+@router.get("/{run}")
+def one(console: Served, run: str) -> dict[str, Any]:
+    """One run."""
+    recording = _going_on_of(console, run)
+    if recording is not None:
+        return _going_on(recording)
+    row = console.catalogue.row(run)
+    if row is None:
+        raise Refusal(404, f"there is no run {run!r}")
+    return _finished(row)
+
+
+@router.get("/{run}/metrics")
+def metrics(console: Served, run: str) -> dict[str, Any]:
+    """The run's bumpless.Metrics."""
+    found = one(console, run)["metrics"]
+    if found is None:
+        raise Refusal(404, f"run {run!r} has no metrics" + (" yet" if _going_on_of(console, run) else ""))
+    return found
+
+
+@router.get("/{run}/log.mcap")
+def download(console: Served, run: str) -> Response:
+    """The run's MCAP file; of one being recorded, what is on the disk so far."""
+    recording = _going_on_of(console, run)
+    path = console.catalogue.path(run)
+    if path is None:
+        raise Refusal(404, f"there is no run {run!r}")
+    if recording is None:
+        return FileResponse(path, media_type=MEDIA_TYPE, filename=f"{run}.mcap")
+    size = recording.flushed_bytes
+    headers = {
+        "content-length": str(size),
+        "content-disposition": f'attachment; filename="{run}.mcap"',
+        "cache-control": "no-store",
+    }
+    return StreamingResponse(_first(path, size), media_type=MEDIA_TYPE, headers=headers)
+
+
+@router.delete("/{run}", status_code=204)
+def remove(console: Served, run: str) -> Response:
+    """Delete a finished run."""
+    if _going_on_of(console, run) is not None:
+        raise Refusal(409, f"run {run!r} is being recorded")
+    if not console.catalogue.delete(run):
+        raise Refusal(404, f"there is no run {run!r}")
+    return Response(status_code=204)
+
+
+def _first(path: Path, size: int) -> Iterator[bytes]:
+    """The first `size` bytes of a file that may be growing."""
+    with path.open("rb") as file:
+        while size > 0 and (block := file.read(min(size, BLOCK_BYTES))):
+            size -= len(block)
+            yield block

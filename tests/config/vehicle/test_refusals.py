@@ -1,0 +1,135 @@
+"""A bad vehicle file is refused with file, line, field, value and rule; never half-loaded."""
+
+import re
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from bumpless.config.problems import Problem
+from bumpless.config.vehicle import FOLDER, VehicleError, load_vehicle, parse_vehicle
+
+JUNK = [
+    "[]",
+    "{}",
+    '""',
+    '"x"',
+    "nan",
+    "-inf",
+    "true",
+    "-5",
+    "0",
+    "[[1]]",
+    "[1, 2]",
+    "1979-05-27",
+    "{ kind = 3 }",
+]
+GOOD = (FOLDER / "ts100.toml").read_text(encoding="utf-8")
+
+
+def refused(old: str, new: str) -> tuple[Problem, ...]:
+    """Problems of the TS-100's file after one replacement."""
+    assert GOOD.count(old) >= 1, f"{old!r} is not in the file"
+    with pytest.raises(VehicleError) as error:
+        parse_vehicle(GOOD.replace(old, new, 1), "ts100.toml")
+    return error.value.problems
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "field", "rule"),
+    [
+        ("mass_kg = 60.0", "mass_kg = -1", "mass.mass_kg", "must be > 0"),
+        ("mass_kg = 60.0", "mass_kg = nan", "mass.mass_kg", "must be a finite number"),
+        ("mass_kg = 60.0", 'mass_kg = "sixty"', "mass.mass_kg", "must be a finite number"),
+        ("mass_kg = 60.0", "mass_kg = true", "mass.mass_kg", "must be a finite number"),
+        ("center_of_gravity_m = [0.0, 0.0, 0.010]", "center_of_gravity_m = [0.0, 0.0]",
+         "mass.center_of_gravity_m", "must be 3 finite numbers"),
+        ('kind = "myring"', 'kind = "brick"', "hull.kind", "must be one of myring, tabulated"),
+        ('controllable = ["X", "Z"', 'controllable = ["X", "X"', "controllable", "each once"),
+        ("control_period_s = 0.05", "control_period_s = 0", "control_period_s", "must be > 0"),
+        ('type = "rudder"', 'type = "sail"', "actuators[0].type", "must name a table of actuator_types"),
+        ('name = "delta_2"', 'name = "delta_1"', "actuators[1].name", "must be different"),
+        ("direction = [1.0, 0.0, 0.0]", "direction = [0.0, 0.0, 0.0]", "actuators[4].direction", "not be 0"),
+        ("range_max_m = 12.0", "range_max_m = 0.1", "sensors.camera.range_max_m", "must be > range_min_m"),
+        ("dropout_probability = 0.005", "dropout_probability = 2", "sensors.dvl.dropout_probability", "<= 1"),
+    ],
+)  # fmt: skip
+def test_one_wrong_value_gives_one_problem_that_names_it(old: str, new: str, field: str, rule: str) -> None:
+    """Each rule of the file's fields, alone."""
+    (problem,) = refused(old, new)
+    assert problem.file == "ts100.toml"
+    assert problem.field == field
+    assert rule in problem.rule
+
+
+def test_missing_and_unknown_fields_are_named() -> None:
+    """A misspelt field shows as unknown and as missing, so that nobody flies with a default by accident."""
+    problems = refused("mass_kg = 60.0", "mas_kg = 60.0")
+    assert [(p.field, p.rule.split(";")[0]) for p in problems] == [
+        ("mass.mas_kg", "is not a known field"),
+        ("mass.mass_kg", "is missing"),
+    ]
+
+
+def test_all_problems_come_at_once_with_their_lines() -> None:
+    """An operator mends a file in one go."""
+    bad = GOOD.replace("mass_kg = 60.0", "mass_kg = 0").replace("rate_hz = 10.0", "rate_hz = -3", 1)
+    with pytest.raises(VehicleError) as error:
+        parse_vehicle(bad, "ts100.toml")
+    mass, rate = error.value.problems
+    lines = bad.splitlines()
+    assert mass.line and lines[mass.line - 1].startswith("mass_kg")
+    assert rate.line and lines[rate.line - 1].startswith("rate_hz")
+    assert str(mass) == f"ts100.toml:{mass.line}: mass.mass_kg = 0; must be > 0"
+
+
+def test_text_that_is_not_toml_names_its_line() -> None:
+    """The parser's own place is passed on."""
+    (problem,) = refused("[mass]", "[mass")
+    assert problem.line == GOOD.splitlines().index("[mass]") + 1
+    assert "is not TOML" in problem.rule
+
+
+def test_too_many_actuators_are_refused() -> None:
+    """The records hold eight."""
+    extra = '\n[[actuators]]\nname = "more_{}"\ntype = "rudder"\nradial_direction_deg = 0.0\n'
+    with pytest.raises(VehicleError, match="must be 1 to 8 tables"):
+        parse_vehicle(GOOD + extra.format(1) + extra.format(2), "big.toml")
+
+
+def test_an_unknown_vehicle_is_told_which_there_are() -> None:
+    """A typing error on the command line."""
+    with pytest.raises(VehicleError, match="ts100"):
+        load_vehicle("ts1000")
+
+
+def test_problem_reads_like_a_sentence() -> None:
+    """The one line that every screen and command prints."""
+    assert str(Problem("ts100.toml", None, None, "thrusters[1].thrust_max_n", -0.5, "must be > 0")) == (
+        "ts100.toml: thrusters[1].thrust_max_n = -0.5; must be > 0"
+    )
+    assert str(Problem("a.yaml", 3, 5, "legs[0]", None, "is missing")) == "a.yaml:3:5: legs[0]; is missing"
+
+
+@given(place=st.integers(0, 10_000), junk=st.sampled_from(JUNK), cut=st.booleans())
+def test_no_damage_raises_anything_but_a_refusal(place: int, junk: str, cut: bool) -> None:
+    """Any one line damaged or lost: the file still loads or is refused with problems, never a traceback."""
+    lines = GOOD.splitlines()
+    at = place % len(lines)
+    lines[at] = "" if cut else re.sub(r"=.*", f"= {junk}", lines[at])
+    try:
+        parse_vehicle("\n".join(lines), "damaged.toml")
+    except VehicleError as error:
+        assert error.problems
+        assert all(str(problem).startswith("damaged.toml") for problem in error.problems)
+
+
+@pytest.mark.parametrize("junk", JUNK)
+@pytest.mark.parametrize(
+    "table",
+    ["environment", "mass", "hull", "appendages", "actuator_types", "actuators", "sensors", "control"],
+)
+def test_a_table_may_be_anything_and_is_still_refused_politely(table: str, junk: str) -> None:
+    """A file whose tables are not tables."""
+    with pytest.raises(VehicleError):
+        parse_vehicle(f"{table} = {junk}", "wrong.toml")

@@ -1,0 +1,145 @@
+"""What the contract server answers when nothing has gone wrong."""
+
+from pathlib import Path
+from typing import Any
+
+from google.protobuf.json_format import MessageToDict
+
+from bumpless.contract import bumpless_pb2 as pb
+from tests.console import flight
+from tests.console.contract_server import ContractServer
+
+MISSIONS = Path(__file__).parents[2] / "missions"
+RUN_ID = "20260101T000000Z-docking-ab12"
+OLD_RUN_ID = "20251231T100000Z-docking_current-77aa"
+
+
+def as_json(message: Any) -> dict[str, Any]:
+    """A message in the contract's JSON: field names as in the schema, nothing left out."""
+    return MessageToDict(message, preserving_proto_field_name=True, always_print_fields_with_no_presence=True)
+
+
+def metrics() -> pb.Metrics:
+    """Metrics of a finished run."""
+    return pb.Metrics(
+        run_id=OLD_RUN_ID,
+        duration_s=90.0,
+        cycles=1800,
+        residual_rms=0.1234,
+        saturation_ratio=0.217,
+        d_u_fr=0.0456,
+        d_u_rh=0.0321,
+        switches=[
+            pb.SwitchMetrics(
+                from_mode=pb.MODE_FORWARD,
+                to_mode=pb.MODE_REVERSE,
+                time_s=24.05,
+                command_step_normalised=0.0456,
+                command_step_raw=9.1,
+            ),
+            pb.SwitchMetrics(
+                from_mode=pb.MODE_REVERSE,
+                to_mode=pb.MODE_HOVER,
+                time_s=46.2,
+                command_step_normalised=0.0321,
+                command_step_raw=6.4,
+            ),
+        ],
+        modes=[
+            pb.ModeMetrics(
+                mode=mode,
+                duration_s=22.0,
+                depth_rms_m=0.05,
+                depth_peak_to_peak_m=0.21,
+                roll_rms_deg=0.4,
+                pitch_rms_deg=0.8,
+                yaw_rms_deg=1.1,
+                surge_speed_mean_mps=speed,
+                residual_rms=0.1,
+            )
+            for mode, speed in ((pb.MODE_FORWARD, 0.7), (pb.MODE_REVERSE, 0.3), (pb.MODE_HOVER, 0.0))
+        ],
+        solve_time_mean_us=15.2,
+        solve_time_std_us=3.1,
+        solve_time_p95_us=21.0,
+        solve_time_max_us=112.0,
+        final_range_m=0.21,
+        solved_ratio=0.998,
+    )
+
+
+def mission(name: str, title: str, summary: str, duration_s: float) -> dict[str, Any]:
+    """One entry of the mission list."""
+    return {
+        "name": name,
+        "title": title,
+        "summary": summary,
+        "duration_s": duration_s,
+        "sha256": "5f2a9c" + "0" * 58,
+        "builtin": True,
+        "modified": "2026-01-01T00:00:00Z",
+    }
+
+
+def default_replies(server: ContractServer) -> None:
+    """Missions, ranges, presets and runs of a server in use."""
+    docking = mission("docking.yaml", "Docking flight", "Cruise, brake and hover before the target.", 90.0)
+    current = mission("docking_current.yaml", "Docking in a current", "The same with a cross current.", 120.0)
+    server.reply("GET", "missions", [docking, current])
+    geometry = {
+        "path_ned_m": [[0, 0, 2.0], [10, 0, 2.0], [20, 4, 2.3], [24.5, 6, 2.3]],
+        "target": {
+            "position_ned_m": [26, 6.6, 2.3],
+            "heading_deg": 20,
+            "observation_point_ned_m": [24.5, 6, 2.3],
+        },
+        "current_ned_mps": [-0.05, 0.08, 0.0],
+    }
+    for entry in (docking, current):
+        text = (MISSIONS / entry["name"]).read_text()
+        server.reply("GET", f"missions/{entry['name']}", {**entry, **geometry, "yaml": text})
+    server.reply(
+        "GET", "vehicle", {"id": "ts100", "name": "TS-100", "controllable": ["X", "Z", "K", "M", "N"]}
+    )
+    server.reply("GET", "parameters", {"revision": 1, "ranges": ranges()})
+    server.reply("GET", "presets", [{"name": "calm-sea"}])
+    gentle = flight.parameters()
+    gentle.hover.ramp_cycles = 80
+    gentle.forward.q_diagonal[0] = 1.25
+    server.reply("GET", "presets/calm-sea", as_json(gentle))
+    server.reply("GET", "runs", [run(OLD_RUN_ID, "docking_current", "complete", "duration reached")])
+    server.reply("GET", f"runs/{OLD_RUN_ID}/metrics", as_json(metrics()))
+    server.reply("GET", f"runs/{OLD_RUN_ID}/log.mcap", b"\x89MCAP0\r\n")
+    server.reply("POST", "scene/camera", {"view": "top"})
+
+
+def run(run_id: str, name: str, state: str, end_reason: str) -> dict[str, Any]:
+    """One entry of the list of runs."""
+    return {
+        "id": run_id,
+        "mission": name,
+        "started": "2025-12-31T10:00:00Z",
+        "duration_s": 90.0,
+        "bytes": 3_456_789,
+        "state": state,
+        "end_reason": end_reason,
+    }
+
+
+def ranges() -> list[dict[str, Any]]:
+    """Ranges of the parameters that the tests edit."""
+    per_mode = [
+        ("q_diagonal", 0.0, 1e6),
+        ("r_diagonal", 1e-6, 1e6),
+        ("lambda", 1e-9, 1e3),
+        ("ramp_cycles", 1, 1000),
+    ]
+    listed = [
+        {"path": f"{mode}.{key}", "unit": "1", "min": low, "max": high, "label": key}
+        for mode in ("forward", "reverse", "hover")
+        for key, low, high in per_mode
+    ]
+    return [
+        *listed,
+        {"path": "supervisor.dwell_cycles", "unit": "cycles", "min": 0, "max": 10000, "label": "dwell"},
+    ]

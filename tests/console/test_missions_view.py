@@ -1,0 +1,143 @@
+"""Missions and commands: what is sent, how refusals look, and an abort that nobody does by accident."""
+
+from playwright.sync_api import Page, expect
+
+from bumpless.contract import bumpless_pb2 as pb
+from tests.console import flight
+from tests.console.conftest import show
+from tests.console.contract_server import ContractServer
+from tests.console.replies import mission
+
+BAD = {
+    "detail": "bad.yaml has 1 problem",
+    "problems": [
+        {
+            "file": "bad.yaml",
+            "line": 9,
+            "column": 1,
+            "field": "duration_s",
+            "value": "soon",
+            "rule": "must be a number",
+        }
+    ],
+}
+
+
+def upload(page: Page, name: str, text: str) -> None:
+    """Choose a file."""
+    page.set_input_files(
+        "input[type=file]", files=[{"name": name, "mimeType": "text/yaml", "buffer": text.encode()}]
+    )
+
+
+def test_a_bad_file_is_refused_with_its_places(console: Page, server: ContractServer) -> None:
+    """Protects the table of file, line, field, value and rule."""
+    server.reply("POST", "missions", BAD, status=422)
+    show(console, "Missions")
+    upload(console, "bad.yaml", "duration_s: soon")
+    row = console.get_by_role("table", name="Problems").get_by_role("row").nth(1)
+    expect(row.get_by_role("cell")).to_have_text(
+        ["bad.yaml", "9:1", "duration_s", "soon", "must be a number"]
+    )
+    expect(console.get_by_role("alert")).to_contain_text("bad.yaml not stored.")
+
+
+def test_a_good_file_is_stored_and_chosen(console: Page, server: ContractServer) -> None:
+    """Protects upload by drop: body and name arrive as they are, and the new mission is shown."""
+    new = mission("harbour", "Harbour run", "Into the harbour.", 60.0) | {"builtin": False}
+    server.reply("POST", "missions", new, status=201)
+    server.reply("GET", "missions", [new])
+    server.reply(
+        "GET",
+        "missions/harbour",
+        {**new, "yaml": "name: harbour # note\n", "path_ned_m": [[0, 0, 1], [5, 5, 1]]},
+    )
+    show(console, "Missions")
+    transfer = console.evaluate_handle(
+        "() => { const t = new DataTransfer();"
+        " t.items.add(new File(['name: harbour # note\\n'], 'harbour.yaml')); return t }"
+    )
+    console.locator(".dropzone").dispatch_event("drop", {"dataTransfer": transfer})
+    call = server.wait_for_call("POST", "missions")
+    assert (call.query, call.body) == ("name=harbour.yaml", "name: harbour # note\n")
+    expect(console.get_by_label("Harbour run").get_by_text("Into the harbour.")).to_be_visible()
+    expect(console.get_by_role("img", name="Plan from above: 2 waypoints, north up")).to_be_visible()
+    expect(console.get_by_label("Mission file", exact=True).locator(".yaml-comment")).to_have_text("# note")
+
+
+def test_a_name_that_exists_can_be_replaced(console: Page, server: ContractServer) -> None:
+    """Protects stored files from being overwritten unasked."""
+    server.reply("POST", "missions", {"detail": "docking exists already"}, status=409)
+    show(console, "Missions")
+    upload(console, "docking.yaml", "name: docking")
+    expect(console.get_by_role("alert")).to_contain_text("docking exists already")
+    server.reply("POST", "missions", mission("docking.yaml", "Docking flight", "", 90.0), status=201)
+    console.get_by_role("button", name="Replace the stored file").click()
+    expect(console.get_by_text("docking.yaml is checked and stored.")).to_be_visible()
+    assert server.calls_of("POST", "missions")[-1].query == "name=docking.yaml&replace=1"
+
+
+def test_start_sends_mission_and_seed_and_shows_a_refusal_as_it_came(
+    console: Page, server: ContractServer
+) -> None:
+    """Protects the vehicle's own words."""
+    said = "Battery at 12 %: at least 30 % is needed."
+    server.reply("POST", "mission/start", {"accepted": False, "reason": said}, status=409)
+    bar = console.get_by_label("Mission control")
+    bar.get_by_label("Mission", exact=True).select_option("docking_current.yaml")
+    bar.get_by_label("Seed").fill("42")
+    bar.get_by_role("button", name="Start", exact=True).click()
+    assert server.wait_for_call("POST", "mission/start").json() == {
+        "name": "docking_current.yaml",
+        "seed": 42,
+    }
+    alert = console.get_by_role("alert").filter(has_text="Start refused.")
+    expect(alert).to_contain_text(said)
+    alert.get_by_role("button", name="Dismiss").click()
+    expect(alert).to_have_count(0)
+
+
+def test_a_bad_seed_cannot_be_sent(console: Page) -> None:
+    """Protects the vehicle from a seed that is no whole number."""
+    bar = console.get_by_label("Mission control")
+    bar.get_by_label("Seed").fill("-1.5")
+    expect(bar.get_by_role("button", name="Start", exact=True)).to_be_disabled()
+
+
+def test_pause_and_resume(console: Page, server: ContractServer) -> None:
+    """Protects the two commands and that start is out of reach in flight."""
+    server.reply("POST", "mission/pause", {"accepted": True, "reason": ""})
+    server.reply("POST", "mission/resume", {"accepted": True, "reason": ""})
+    flying = [*flight.server_status(), *flight.cycle(10.0)]
+    server.keep_saying([*flying, *flight.mission_status(10.0)])
+    console.get_by_role("button", name="Pause").click()
+    server.wait_for_call("POST", "mission/pause")
+    server.keep_saying([*flying, *flight.mission_status(10.0, pb.MISSION_PHASE_PAUSED)])
+    console.get_by_role("button", name="Resume").click()
+    server.wait_for_call("POST", "mission/resume")
+    expect(console.get_by_role("button", name="Start", exact=True)).to_have_count(0)
+
+
+def test_abort_wants_to_be_held(console: Page, server: ContractServer) -> None:
+    """Protects a mission from a stray click or key; holding aborts, by pointer and by keyboard."""
+    server.reply("POST", "mission/abort", {"accepted": True, "reason": ""})
+    abort = console.get_by_role("button", name="Abort mission: press and hold for 1.0 s")
+    expect(abort).to_be_disabled()
+    server.keep_saying([*flight.server_status(), *flight.cycle(10.0), *flight.mission_status(10.0)])
+    expect(abort).to_be_enabled()
+
+    abort.click()
+    abort.press("Enter")
+    expect(abort).not_to_have_attribute("data-holding", "yes")
+    assert server.calls_of("POST", "mission/abort") == []
+
+    abort.hover()
+    console.mouse.down()
+    expect(abort).to_have_attribute("data-holding", "yes")
+    server.wait_for_call("POST", "mission/abort")
+    console.mouse.up()
+
+    abort.focus()
+    console.keyboard.down("Space")
+    server.wait_for_call("POST", "mission/abort", count=2)
+    console.keyboard.up("Space")

@@ -1,0 +1,1 @@
+"""What people write: vehicles, missions, parameters. Each number is checked where it is read."""

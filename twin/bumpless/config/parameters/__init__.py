@@ -1,0 +1,37 @@
+"""What the controller is tuned with: the numbers, where they come from, and what they may be.
+
+`default_parameters` reads them from the vehicle file, `with_overrides` lays a mission's on top,
+`check` holds them against one table of ranges, `to_message` and `from_message` carry the part
+that may change during a mission over the bus.
+"""
+
+from bumpless.config.parameters.checks import check
+from bumpless.config.parameters.load import ParameterError, as_dict, default_parameters, with_overrides
+from bumpless.config.parameters.messages import from_message, to_message
+from bumpless.config.parameters.model import (
+    AllocationParameters,
+    BumplessParameters,
+    GuidanceParameters,
+    ModeParameters,
+    Parameters,
+    SupervisorParameters,
+)
+from bumpless.config.parameters.ranges import RANGES, Range
+
+__all__ = [
+    "RANGES",
+    "AllocationParameters",
+    "BumplessParameters",
+    "GuidanceParameters",
+    "ModeParameters",
+    "ParameterError",
+    "Parameters",
+    "Range",
+    "SupervisorParameters",
+    "as_dict",
+    "check",
+    "default_parameters",
+    "from_message",
+    "to_message",
+    "with_overrides",
+]

@@ -1,0 +1,125 @@
+"""What the paper compares with: a direct PID mapping (S1) and a weighted pseudo-inverse (S2).
+
+Source: Gao et al. 2026, sec. 4.2 and table 5. Neither knows bounds: commands are clipped afterwards.
+"""
+
+from math import sqrt
+
+import numpy as np
+
+from bumpless.control.allocation.wrench_map import to_command, to_x, wrench_map
+from bumpless.jit import jit
+from bumpless.records import FIN, SPEED_LINEAR
+
+_DAMPING = 1e-6
+
+
+@jit
+def solve_small(A, b, n):
+    """Solve A y = b in place for symmetric positive definite A (n, n) by Cholesky; b becomes y."""
+    for i in range(n):
+        for j in range(i + 1):
+            s = A[i, j]
+            for k in range(j):
+                s -= A[i, k] * A[j, k]
+            if i == j:
+                A[i, i] = np.sqrt(s) if s > 1e-300 else 1e-150
+            else:
+                A[i, j] = s / A[j, j]
+    for i in range(n):
+        s = b[i]
+        for k in range(i):
+            s -= A[i, k] * b[k]
+        b[i] = s / A[i, i]
+    for i in range(n - 1, -1, -1):
+        s = b[i]
+        for k in range(i + 1, n):
+            s -= A[k, i] * b[k]
+        b[i] = s / A[i, i]
+
+
+@jit
+def _pseudo_inverse(model, a, w, demand, channel, member, x):
+    """x += W^-1 G' (G W^-1 G' + eps I)^-1 demand over the member actuators and the given channels."""
+    n = model.n_u
+    scale = 0.0
+    for k in range(6):
+        for m in range(6):
+            s = 0.0
+            if channel[k] > 0.0 and channel[m] > 0.0:
+                for i in range(n):
+                    if member[i] > 0.0:
+                        s += w.jacobian[k, i] * w.jacobian[m, i] / max(a.R[i], 1e-9)
+            w.H[k, m] = s
+        scale = max(scale, w.H[k, k])
+    for k in range(6):
+        w.H[k, k] += _DAMPING * scale + 1e-12
+        w.g[k] = demand[k] * channel[k]
+    solve_small(w.H, w.g, 6)
+    for i in range(n):
+        if member[i] > 0.0:
+            for k in range(6):
+                x[i] += channel[k] * w.jacobian[k, i] * w.g[k] / max(a.R[i], 1e-9)
+
+
+@jit
+def _apply(model, a, w):
+    """Clip w.x into this cycle's bounds and turn it into commands."""
+    for i in range(model.n_u):
+        x = min(max(w.x[i], to_x(model, i, a.u_lower[i])), to_x(model, i, a.u_upper[i]))
+        a.u[i] = min(max(to_command(model, i, x), a.u_lower[i]), a.u_upper[i])
+    a.status, a.iterations, a.kkt, a.cost = 1, 0, 0.0, 0.0
+
+
+@jit
+def allocate_wls(model, a, w):
+    """Weighted least-squares pseudo-inverse with clipping: weights R, the map linearised at rest."""
+    n = model.n_u
+    for i in range(n):
+        w.u_previous[i] = a.u[i]
+        w.x[i], w.trial[i] = 0.0, 1.0
+    wrench_map(model, w.x, w.u_previous, a.effectiveness, a.nu_r, w.tau, w.jacobian)
+    for k in range(6):
+        w.demand[k] = a.tau_d[k] - w.tau[k]
+    _pseudo_inverse(model, a, w, w.demand, model.controllable, w.trial, w.x)
+    _apply(model, a, w)
+
+
+@jit
+def allocate_direct(settings, model, a, w):
+    """Each PID channel drives its own actuators through a mixer made for the speed of the gain schedule.
+
+    Forces go to the thrusters and moments to the fins, if there are any of both; neither group
+    knows what the other, the drag or the present flow does. A thruster's demand becomes thrust
+    (THRUST_LINEAR) or, as a PID output scaled to the shaft's range, shaft speed (SPEED_LINEAR).
+    """
+    n = model.n_u
+    fins, thrusters = 0, 0
+    for i in range(n):
+        w.u_previous[i] = 0.0
+        w.x[i] = 0.0
+        if model.kind[i] == FIN:
+            fins += 1
+        else:
+            thrusters += 1
+    for k in range(6):
+        w.flow[k] = 0.0
+    w.flow[0] = settings.schedule_speed * sqrt(max(a.schedule, settings.schedule_min))
+    w.healthy[:] = 1.0
+    wrench_map(model, w.x, w.u_previous, w.healthy, w.flow, w.tau, w.jacobian)
+    if fins == 0 or thrusters == 0:
+        w.trial[:] = 1.0
+        _pseudo_inverse(model, a, w, a.tau_d, model.controllable, w.trial, w.x)
+    else:
+        for group in range(2):
+            for k in range(6):
+                w.channel[k] = model.controllable[k] if (k < 3) == (group == 0) else 0.0
+            for i in range(n):
+                w.trial[i] = 1.0 if (model.kind[i] == FIN) == (group == 1) else 0.0
+            _pseudo_inverse(model, a, w, a.tau_d, w.channel, w.trial, w.x)
+    if settings.direct_map == SPEED_LINEAR:
+        for i in range(n):
+            if model.kind[i] != FIN:
+                share = min(max(w.x[i], -1.0), 1.0)
+                w.x[i] = to_x(model, i, share * model.command_max[i])
+    _apply(model, a, w)

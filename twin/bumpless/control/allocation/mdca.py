@@ -1,0 +1,232 @@
+"""MD-CA: one constrained SQP for all modes.
+
+u* = argmin ||tau_d - G_m(u)||_Q^2 + lambda ||u||_R^2 over the cycle's bounds, eq. (47)-(52) of
+Gao et al. 2026, in the decision variables of `wrench_map`. Each step solves a box QP; a step is
+accepted only if the true cost falls (backtracking on eta_j), so that the answer is never worse than
+the projected start.
+Beyond the paper: a price mu ||u - u_prev||^2 on increments of the commands over their bounds; and the fins'
+second-order term (`curvature`), in the QP where it leaves that convex, and as a way out of a saddle.
+"""
+
+from math import isfinite
+
+from bumpless.control.allocation.curvature import descent_curvature, residual_curvature
+from bumpless.control.allocation.kkt import kkt_residual
+from bumpless.control.allocation.qp import solve_box_qp
+from bumpless.control.allocation.qp_active_set import solve_active_set
+from bumpless.control.allocation.qp_status import SOLVED as QP_SOLVED
+from bumpless.control.allocation.wrench_map import to_command, to_x, wrench_map
+from bumpless.jit import jit
+from bumpless.records import FIN
+
+SOLVED, BUDGET_SPENT, INFEASIBLE, FALLBACK, REFUSED = 1, 2, 3, 4, 5  # SolveStatus of the contract
+_BACKTRACKS = 6
+_ESCAPES = 3  # looks for a way out of a saddle, per cycle
+_NEAR = 1e-3  # KKT residual from which a saddle is looked for: Newton's steps towards one are wasted
+_ROOM = 1e-6  # share of its range that a command must have on both sides to count as free
+_ROUNDING = 1e-12  # share of the cost that no step can gain any more
+_LEAST = 1e-3  # thrust share at which a screw that is not eased counts as one that is, in the price
+_HOLD = 1.0  # s for which the last command is held when demands are refused
+
+
+@jit
+def increment_prices(model, mu, x_previous, n, price):
+    """price (8,) = mu (du/dx)^2 at the last command: what an increment of x costs, so that mu prices those of
+    commands over their bounds. A screw near zero, where its speed changes fastest, pays most."""
+    for i in range(n):
+        slope = 1.0
+        if mu > 0.0 and model.kind[i] != FIN:
+            y = x_previous[i] ** 2
+            z = max(model.smoothing, _LEAST) ** 2
+            slope = (0.5 * y + z) / (y + z) ** 1.25
+        price[i] = mu * slope * slope
+
+
+@jit
+def increment_cost(price, x, x_previous, n):
+    """Sum of price (x - x_prev)^2."""
+    cost = 0.0
+    for i in range(n):
+        cost += price[i] * (x[i] - x_previous[i]) ** 2
+    return cost
+
+
+@jit
+def price_increments(price, x, x_previous, n, H, g):
+    """Add the increments' prices to the (halved) normal equations."""
+    for i in range(n):
+        H[i, i] += price[i]
+        g[i] += price[i] * (x[i] - x_previous[i])
+
+
+@jit
+def allocation_cost(Q, R, lam, tau_d, tau, x, n):
+    """||tau_d - tau||_Q^2 + lambda ||x||_R^2 with diagonal Q (6,) and R (8,)."""
+    cost = 0.0
+    for k in range(6):
+        r = tau_d[k] - tau[k]
+        cost += Q[k] * r * r
+    for i in range(n):
+        cost += lam * R[i] * x[i] * x[i]
+    return cost
+
+
+@jit
+def normal_equations(Q, R, lam, tau_d, tau, jacobian, x, n, H, g):
+    """Gauss-Newton Hessian H = G'QG + lambda R and gradient g = -G'Q r + lambda R x (halved cost)."""
+    for i in range(n):
+        s = lam * R[i] * x[i]
+        for k in range(6):
+            s -= jacobian[k, i] * Q[k] * (tau_d[k] - tau[k])
+        g[i] = s
+        for j in range(i + 1):
+            h = 0.0
+            for k in range(6):
+                h += jacobian[k, i] * Q[k] * jacobian[k, j]
+            H[i, j] = h
+            H[j, i] = h
+        H[i, i] += lam * R[i] + 1e-9
+
+
+@jit
+def add_curvature(model, a, w, x, n):
+    """Add the second-order term to w.H: all of it where H stays positive definite, else what is positive."""
+    for k in range(6):
+        w.weight[k] = a.Q[k] * (a.tau_d[k] - w.tau[k])
+    residual_curvature(model, x, a.effectiveness, a.nu_r, w.weight, w.curvature)
+    least = 0.0
+    for i in range(n):
+        w.free[i] = 1
+        least = min(least, w.curvature[i])
+    convex = least == 0.0 or descent_curvature(w.H, w.curvature, w.free, n, w.trial)
+    for i in range(n):
+        added = w.curvature[i] if convex else max(w.curvature[i], 0.0)
+        w.H[i, i] += added
+        w.curvature[i] -= added
+
+
+@jit
+def cost_at(model, a, w, x, n):
+    """Cost of this cycle's problem at x (8,); w.tau and w.jacobian are filled."""
+    wrench_map(model, x, w.u_previous, a.effectiveness, a.nu_r, w.tau, w.jacobian)
+    cost = allocation_cost(a.Q, a.R, a.lam, a.tau_d, w.tau, x, n)
+    return cost + increment_cost(w.price, x, w.x_previous, n)
+
+
+@jit
+def leave_saddle(model, a, w, x, cost, n):
+    """Move x down a direction of negative curvature in the free commands, if there is one; returns the cost.
+
+    Tried from the first bound that the direction meets inwards, on both sides. Where it does not find less,
+    x and cost stay as they are.
+    """
+    least = 0.0
+    for i in range(n):
+        room = min(x[i] - w.lower[i], w.upper[i] - x[i])
+        w.free[i] = 1 if room > _ROOM else 0
+        least = min(least, w.curvature[i])
+    if least == 0.0 or descent_curvature(w.H, w.curvature, w.free, n, w.step):
+        return cost
+    reach = 1e9
+    for i in range(n):
+        if w.step[i] != 0.0:
+            reach = min(reach, min(x[i] - w.lower[i], w.upper[i] - x[i]) / abs(w.step[i]))
+    for _ in range(_BACKTRACKS):
+        for _ in range(2):
+            reach = -reach
+            for i in range(n):
+                w.trial[i] = x[i] + reach * w.step[i]
+            trial_cost = cost_at(model, a, w, w.trial, n)
+            if trial_cost < cost:
+                for i in range(n):
+                    x[i] = w.trial[i]
+                return trial_cost
+        reach *= 0.5
+    return cost
+
+
+@jit
+def refuse(settings, model, a):
+    """Hold the last command within this cycle's bounds and say so; after a second come to rest."""
+    a.refused += 1
+    keep = 1.0 if a.refused * settings.dt <= _HOLD else 0.0
+    for i in range(model.n_u):
+        a.u[i] = min(max(keep * a.u[i], a.u_lower[i]), a.u_upper[i])
+    a.status = REFUSED
+    a.iterations = 0
+
+
+@jit
+def allocate_mdca(handle, settings, model, a, w):
+    """Fill a.u (8,), a.status, a.iterations, a.kkt, a.cost for demand a.tau_d (6,).
+
+    a.u holds the last command on entry and a.u_lower, a.u_upper this cycle's bounds; weights are
+    a.Q, a.R, a.lam; flow a.nu_r; effectiveness a.effectiveness. w: an ALLOCATION_WORK record.
+    Returns nothing; a demand that is not finite is refused.
+    """
+    n = model.n_u
+    for k in range(6):
+        if not isfinite(a.tau_d[k]) or not isfinite(a.nu_r[k]):
+            refuse(settings, model, a)
+            return
+    a.refused = 0
+    x, lower, upper, step, trial = w.x, w.lower, w.upper, w.step, w.trial
+    for i in range(n):
+        w.u_previous[i] = a.u[i]
+        lower[i], upper[i] = to_x(model, i, a.u_lower[i]), to_x(model, i, a.u_upper[i])
+        w.x_previous[i] = to_x(model, i, a.u[i])
+        start = w.x_previous[i] if settings.project == 1 else 0.0
+        x[i] = min(max(start, lower[i]), upper[i])
+    increment_prices(model, a.increment_price, w.x_previous, n, w.price)
+    cost = cost_at(model, a, w, x, n)
+    fallback = False
+    a.iterations, a.kkt = 0, 0.0
+    escapes = 0
+    while True:
+        normal_equations(a.Q, a.R, a.lam, a.tau_d, w.tau, w.jacobian, x, n, w.H, w.g)
+        price_increments(w.price, x, w.x_previous, n, w.H, w.g)
+        add_curvature(model, a, w, x, n)
+        for i in range(n):
+            step[i] = 0.0
+            w.lb[i], w.ub[i] = lower[i] - x[i], upper[i] - x[i]
+        a.kkt = kkt_residual(w.H, w.g, w.lb, w.ub, step, n)
+        if a.kkt <= _NEAR and escapes < _ESCAPES:
+            escapes += 1
+            escaped = leave_saddle(model, a, w, x, cost, n)
+            if escaped < cost:
+                cost = escaped
+                continue
+        status = SOLVED if a.kkt <= settings.kkt_tolerance else BUDGET_SPENT
+        if status == SOLVED or a.iterations >= settings.sqp_iterations:
+            break
+        a.iterations += 1
+        for i in range(n):
+            step[i] = 0.0
+        if a.iterations == 1:
+            fallback = solve_box_qp(handle, w.H, w.g, w.lb, w.ub, step, n) != QP_SOLVED
+        else:  # the bounds that hold are known but for a few: the exact finish alone finds those
+            qp_status, _ = solve_active_set(w.H, w.g, w.lb, w.ub, step, n)
+            fallback = fallback or qp_status != QP_SOLVED
+        eta, accepted = 1.0, False
+        for _ in range(_BACKTRACKS):
+            for i in range(n):
+                trial[i] = min(max(x[i] + eta * step[i], lower[i]), upper[i])
+            trial_cost = cost_at(model, a, w, trial, n)
+            if trial_cost < cost:
+                accepted = True
+                break
+            eta *= 0.5
+        if not accepted:
+            slope = 0.0
+            for i in range(n):
+                slope -= w.g[i] * step[i]
+            if slope <= _ROUNDING * cost:
+                status = SOLVED
+            break
+        cost = trial_cost
+        for i in range(n):
+            x[i] = trial[i]
+    for i in range(n):
+        a.u[i] = min(max(to_command(model, i, x[i]), a.u_lower[i]), a.u_upper[i])
+    a.cost = cost
+    a.status = FALLBACK if fallback else status

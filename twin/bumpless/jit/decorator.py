@@ -1,0 +1,85 @@
+"""The one decorator for compiled code, and a compile cache that cannot go stale.
+
+Numba's file cache notices a change of the file that holds a function, but not of the files that
+hold the functions it calls. The cache folder is therefore named by a digest of every source file
+that holds compiled code, of all that these import from `bumpless`, and of the versions that matter.
+"""
+
+import hashlib
+import os
+import re
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numba
+import numpy as np
+
+from bumpless.jit.cache import claim
+
+try:
+    from bumpless.jit.parts import Function
+except ImportError:
+    Function = None
+
+
+def compiled_sources(root: Path = Path(__file__).parents[1]) -> list[Path]:
+    """Every file under `root` (the package `bumpless`) that compiled code can depend on, sorted."""
+    texts = {path: path.read_text(encoding="utf-8") for path in root.rglob("*.py")}
+    seed = re.compile(r"^\s*(from bumpless\.jit import|(from|import) numba)", re.MULTILINE)
+    waiting = [path for path, text in texts.items() if seed.search(text)]
+    found: set[Path] = set()
+    while waiting:
+        path = waiting.pop()
+        if path in texts and path not in found:
+            found.add(path)
+            for name in re.findall(r"^\s*(?:from|import) bumpless\.([\w.]+)", texts[path], re.MULTILINE):
+                module = root / name.replace(".", "/")
+                waiting += [module.with_suffix(".py"), module / "__init__.py"]
+    return sorted(found)
+
+
+def _digest() -> str:
+    h = hashlib.sha256(f"{numba.__version__} {np.__version__} {sys.version}".encode())
+    for path in compiled_sources():
+        h.update(path.read_bytes())
+    return h.hexdigest()[:16]
+
+
+def cache_folder() -> Path:
+    """Where compiled code of this very source tree is kept."""
+    base = os.environ.get("BUMPLESS_CACHE_DIR") or os.environ.get("XDG_CACHE_HOME") or "~/.cache"
+    return Path(base).expanduser() / "bumpless" / f"numba-{_digest()}"
+
+
+if not os.environ.get("NUMBA_CACHE_DIR"):
+    numba.config.CACHE_DIR = str(claim(cache_folder()))  # type: ignore[attr-defined]
+
+
+_OPTIONS = {"nopython": True, "nogil": True, "error_model": "numpy"}
+
+
+def jit(function: Callable[..., Any]) -> Any:
+    """Compile on first call, without the GIL, cached on disk; NumPy's rules for division by zero.
+
+    The function works on arrays that its caller holds and makes none (Numba refuses to compile one that
+    does), therefore no references are counted: an atomic addition and a call for every array and view.
+    """
+    return _made(function, {**_OPTIONS, "_nrt": False})
+
+
+def inline(function: Callable[..., Any]) -> Any:
+    """`jit` for the smallest functions, and those within a loop over actuators: a part of every caller."""
+    return _made(function, {**_OPTIONS, "_nrt": False, "forceinline": True})
+
+
+def allocating(function: Callable[..., Any]) -> Any:
+    """`jit` for the few functions that make or return arrays, and so must count references to them."""
+    return _made(function, _OPTIONS)
+
+
+def _made(function: Callable[..., Any], options: dict[str, Any]) -> Any:
+    if Function is not None:
+        return Function(function, options)
+    return numba.njit(cache=True, **options)(function)

@@ -1,0 +1,108 @@
+"""Compile a function that only compiled code calls as a part of its callers, and nowhere else.
+
+Numba makes machine code of every function on its own, with all that it calls optimised once more at each
+level: a control cycle of ten levels is optimised ten times. A function made here has two faces. To Python
+it is Numba's dispatcher, compiled and cached as ever. To compiled callers it is a part: typed and
+translated to LLVM's language once, and optimised only within the function that Python calls.
+
+This file relies on Numba's internals (0.61 to 0.68). Importing it raises ImportError where they look
+different; `jit.decorator` then uses Numba's own decorator, which gives the same results after a longer
+compilation.
+"""
+
+import inspect
+from typing import Any
+
+from numba.core import compiler, dispatcher, sigutils, types
+from numba.core.codegen import JITCodeLibrary
+from numba.core.imputils import lower_cast
+from numba.core.registry import CPUDispatcher
+
+_Compiler: Any = getattr(dispatcher, "_FunctionCompiler", None)
+_USED = {
+    CPUDispatcher: ("add_overload", "get_overload", "get_call_template", "enable_caching"),
+    _Compiler: ("_compile_core", "_customize_flags"),
+    JITCodeLibrary: ("finalize", "_ensure_finalized", "_get_module_for_linking", "_finalize_dynamic_globals"),
+    compiler.Flags: ("no_compile", "no_cpython_wrapper", "no_cfunc_wrapper"),
+}
+if not (
+    all(hasattr(owner, name) for owner, names in _USED.items() for name in names)
+    and "library" in inspect.signature(compiler.compile_extra).parameters
+):
+    raise ImportError("this version of Numba compiles in another way")
+
+
+class _PartLibrary(JITCodeLibrary):
+    """Collects the code of a part and of its own parts; leaves optimisation to whoever links it."""
+
+    def finalize(self) -> None:
+        self._raise_if_finalized()
+        for library in dict.fromkeys(self._linking_libraries):
+            self._reload_init.update(library._reload_init)
+            self._final_module.link_in(library._get_module_for_linking(), preserve=True)
+        self._finalize_dynamic_globals()
+        self._finalized = True
+
+
+class _PartCompiler(_Compiler):
+    """Numba's compiler up to LLVM's language, without a way in from Python."""
+
+    def _customize_flags(self, flags: Any) -> Any:
+        flags.no_compile = flags.no_cpython_wrapper = flags.no_cfunc_wrapper = True
+        return flags
+
+    def _compile_core(self, args: Any, return_type: Any) -> Any:
+        flags = compiler.Flags()
+        self.targetdescr.options.parse_as_flags(flags, self.targetoptions)
+        context = self.targetdescr.target_context
+        return compiler.compile_extra(
+            self.targetdescr.typing_context, context, self.py_func, args=args, return_type=return_type,
+            flags=self._customize_flags(flags), locals=self.locals, pipeline_class=self.pipeline_class,
+            library=_PartLibrary(context.codegen(), self.py_func.__qualname__),
+        )  # fmt: skip
+
+
+@lower_cast(types.NestedArray, types.Array)
+def _field_as_array(context: Any, builder: Any, fromty: Any, toty: Any, val: Any) -> Any:
+    return val  # both are the same structure in memory
+
+
+def _plain(kind: Any) -> Any:
+    """An argument's type without its value or its record, so that a part is made once and not per caller."""
+    if isinstance(kind, types.NestedArray):
+        return types.Array(kind.dtype, kind.ndim, "C")
+    return types.unliteral(kind)
+
+
+class _Part(CPUDispatcher):
+    """What compiled callers see of a function."""
+
+    def __init__(self, py_func: Any, targetoptions: dict[str, Any]) -> None:
+        super().__init__(py_func, targetoptions=targetoptions)
+        self._compiler = _PartCompiler(py_func, self.targetdescr, targetoptions, {}, compiler.Compiler)
+        self._keys: dict[Any, object] = {}
+
+    def get_call_template(self, args: Any, kws: Any) -> Any:
+        return super().get_call_template(tuple(_plain(a) for a in args), kws)
+
+    def add_overload(self, cres: Any) -> None:
+        arguments = tuple(cres.signature.args)
+        self._keys[arguments] = key = object()
+        self.targetctx.insert_user_function(key, cres.fndesc, [cres.library])
+        self.overloads[arguments] = cres
+
+    def get_overload(self, sig: Any) -> object:
+        return self._keys[tuple(sigutils.normalize_signature(sig)[0])]
+
+
+class Function(CPUDispatcher):
+    """A compiled function: Numba's dispatcher to Python, a part to compiled callers."""
+
+    def __init__(self, py_func: Any, targetoptions: dict[str, Any]) -> None:
+        super().__init__(py_func, targetoptions={**targetoptions, "no_cfunc_wrapper": True})
+        self.part = _Part(py_func, targetoptions)
+        self.enable_caching()
+
+    @property
+    def _numba_type_(self) -> types.Dispatcher:
+        return types.Dispatcher(self.part)

@@ -1,0 +1,119 @@
+"""Every figure of a run in one message."""
+
+from typing import TYPE_CHECKING, Any, cast
+
+import numpy as np
+from google.protobuf import json_format
+
+from bumpless.contract import bumpless_pb2 as pb
+from bumpless.metrics.modes import ModeFigures, mode_figures
+from bumpless.metrics.proposition import demand_step_violations, increment_violations
+from bumpless.metrics.run import EDGE_PER_SI, Floats, Run
+from bumpless.metrics.switches import SwitchSteps, largest, switch_steps
+from bumpless.records import FORWARD, HOVER, REVERSE
+
+if TYPE_CHECKING:
+    from bumpless.config.vehicle import Vehicle
+
+AT_BOUND = 1e-6  # closer than this share of the span counts as at the bound
+
+
+def metrics_of(run: Run, vehicle: "Vehicle", run_id: str = "") -> pb.Metrics:
+    """Figures of merit of a run of `vehicle`; figures of what did not happen are NaN.
+
+    e_tau = tau_d - tau_c over the vehicle's controllable components, N and N m together as the paper
+    has it; tau_c is the allocator's model in `residual_rms` and the plant's true wrench in
+    `residual_rms_true`. A command is at a bound within AT_BOUND of its amplitude span.
+    Source: Gao et al. 2026, section 4.1 and tables 5 to 8.
+    """
+    edge = np.array([EDGE_PER_SI[a.unit] for a in vehicle.actuators])
+    lower = np.array([a.command_min for a in vehicle.actuators]) / edge
+    upper = np.array([a.command_max for a in vehicle.actuators]) / edge
+    bounds = np.maximum(np.abs(lower), np.abs(upper))
+    served = np.array([name in vehicle.controllable for name in "XYZKMN"], float)
+    message = pb.Metrics(run_id=run_id, cycles=len(run), missing_cycles=run.missing)
+    if len(run) == 0:
+        return message
+    residual = np.linalg.norm((run.tau_d - run.tau_c) * served, axis=1)
+    steps = switch_steps(run, bounds, edge)
+    message.duration_s = float(run.time[-1] - run.time[0]) + vehicle.control_period_s
+    message.residual_rms = _rms(residual)
+    message.residual_rms_true = _rms(np.linalg.norm((run.tau_d - run.tau) * served, axis=1))
+    message.saturation_ratio = _saturation_ratio(run, lower, upper)
+    message.solved_ratio = float(np.mean(run.status == pb.SOLVE_STATUS_SOLVED))
+    message.d_u_fr = largest(steps, FORWARD, REVERSE)
+    message.d_u_rh = largest(steps, REVERSE, HOVER)
+    message.switches.extend(_switch(run, s) for s in steps)
+    for figures in mode_figures(run, residual):
+        message.modes.append(_mode(figures, vehicle.control_period_s, edge))
+    _solve_times(message, run.solve_time * 1e6)
+    message.final_range_m = float(run.range[-1])
+    message.increment_violations = increment_violations(run, lower, upper)
+    message.demand_step_violations = demand_step_violations(run)
+    return message
+
+
+def as_dict(metrics: pb.Metrics) -> dict[str, Any]:
+    """For JSON: the contract's field names, every field present, None for NaN."""
+    return _without_nan(
+        json_format.MessageToDict(
+            metrics, preserving_proto_field_name=True, always_print_fields_with_no_presence=True
+        )
+    )
+
+
+def _without_nan(value: Any) -> Any:
+    if isinstance(value, dict):
+        return {key: _without_nan(item) for key, item in value.items()}
+    if isinstance(value, list):
+        return [_without_nan(item) for item in value]
+    return None if value in ("NaN", "Infinity", "-Infinity") else value
+
+
+def _rms(values: Floats) -> float:
+    return float(np.sqrt(np.mean(values**2)))
+
+
+def _saturation_ratio(run: Run, lower: Floats, upper: Floats) -> float:
+    near = AT_BOUND * (upper - lower)
+    return float(np.mean(np.any((run.u <= lower + near) | (run.u >= upper - near), axis=1)))
+
+
+def _contract_mode(mode: int) -> pb.Mode:
+    """records count modes from 0, the contract from 1."""
+    return cast("pb.Mode", mode + 1)
+
+
+def _switch(run: Run, steps: SwitchSteps) -> pb.SwitchMetrics:
+    return pb.SwitchMetrics(
+        from_mode=_contract_mode(steps.from_mode),
+        to_mode=_contract_mode(steps.to_mode),
+        time_s=float(run.time[steps.row]),
+        command_step_normalised=steps.normalised,
+        command_step_raw=steps.raw,
+        actuator_step=steps.per_actuator.tolist(),
+    )
+
+
+def _mode(figures: ModeFigures, period_s: float, edge: Floats) -> pb.ModeMetrics:
+    roll, pitch, yaw = np.degrees(figures.attitude_rms)
+    return pb.ModeMetrics(
+        mode=_contract_mode(figures.mode),
+        duration_s=figures.samples * period_s,
+        samples=figures.samples,
+        depth_rms_m=figures.depth_rms,
+        depth_peak_to_peak_m=figures.depth_peak_to_peak,
+        roll_rms_deg=roll,
+        pitch_rms_deg=pitch,
+        yaw_rms_deg=yaw,
+        surge_speed_mean_mps=figures.surge_mean,
+        actuator_rms=(figures.command_rms * edge).tolist(),
+        residual_rms=figures.residual_rms,
+    )
+
+
+def _solve_times(message: pb.Metrics, micros: Floats) -> None:
+    message.solve_time_mean_us = float(micros.mean())
+    message.solve_time_std_us = float(micros.std())
+    message.solve_time_p95_us = float(np.percentile(micros, 95))
+    message.solve_time_max_us = float(micros.max())

@@ -1,0 +1,119 @@
+"""What is flown: the twin, the state around it, and the rules of who may change it when.
+
+Everything here runs on the control loop, between two cycles; requests arrive already parsed and checked.
+"""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any, Protocol
+
+import numpy as np
+
+from bumpless.contract import bumpless_pb2 as pb
+from bumpless.sim.events import TwinEvent
+from bumpless.telemetry import FlightState
+
+if TYPE_CHECKING:
+    from bumpless.config.mission import Mission
+    from bumpless.config.parameters import Parameters
+
+FLYING = (pb.MISSION_PHASE_RUNNING, pb.MISSION_PHASE_PAUSED)
+
+
+class TwinLike(Protocol):
+    """What the node needs of `bumpless.sim.twin.Twin`; a real vehicle's control stack offers the same."""
+
+    @property
+    def phase(self) -> int: ...
+    @property
+    def parameters(self) -> "Parameters": ...
+    def start(
+        self, mission: "Mission", seed: int | None = None, parameters: "Parameters | None" = None
+    ) -> None: ...
+    def pause(self) -> None: ...
+    def resume(self) -> None: ...
+    def abort(self, reason: str) -> None: ...
+    def set_parameters(self, parameters: "Parameters") -> None: ...
+    def step(self) -> Any: ...
+    def drain_events(self) -> list[TwinEvent]: ...
+
+
+class Flight:
+    """One vehicle's twin and what it flies with. Every request gives a CommandReply."""
+
+    def __init__(self, twin: TwinLike) -> None:
+        self.twin = twin
+        self.state = FlightState(twin.parameters)
+        self.chosen = twin.parameters  # the operator's; a mission's overrides lie over them while it flies
+        self._events: list[TwinEvent] = []
+        self._time_s = 0.0
+
+    def start(
+        self, mission: "Mission", seed: int | None, parameters: "Parameters", run_id: str
+    ) -> pb.CommandReply:
+        """Begin a mission, unless one is being flown."""
+        if self.twin.phase in FLYING:
+            return self.refuse("start", f"run {self.state.run_id} is being flown; abort it first")
+        self.twin.start(mission, seed, parameters)
+        flown_seed = mission.seed if seed is None else seed
+        self.state = replace(self.state, mission=mission, run_id=run_id, seed=flown_seed)
+        self._adopt(parameters)
+        return self._done(f"flying {mission.name}")
+
+    def pause(self) -> pb.CommandReply:
+        """Hold station."""
+        if self.twin.phase != pb.MISSION_PHASE_RUNNING:
+            return self.refuse("pause", f"no mission is running; the phase is {phase_name(self.twin.phase)}")
+        self.twin.pause()
+        return self._done("mission paused; holding station")
+
+    def resume(self) -> pb.CommandReply:
+        """Go on with a paused mission."""
+        if self.twin.phase != pb.MISSION_PHASE_PAUSED:
+            return self.refuse("resume", f"no mission is paused; the phase is {phase_name(self.twin.phase)}")
+        self.twin.resume()
+        return self._done("mission resumed")
+
+    def abort(self, reason: str = "aborted by the operator") -> pb.CommandReply:
+        """End the mission at once."""
+        if self.twin.phase not in FLYING:
+            return self.refuse("abort", f"nothing is flown; the phase is {phase_name(self.twin.phase)}")
+        self.twin.abort(reason)
+        return self._done(reason)
+
+    def set_parameters(self, active: "Parameters", chosen: "Parameters") -> pb.CommandReply:
+        """Fly with `active` from the next cycle on (the twin blends them in), later runs with `chosen`."""
+        self.twin.set_parameters(active)
+        self.chosen = chosen
+        self.state = replace(self.state, parameters=active, revision=self.state.revision + 1)
+        return self._done(f"parameters are in force as revision {self.state.revision}")
+
+    def refuse(self, verb: str, reason: str, problems: Sequence[pb.Problem] = ()) -> pb.CommandReply:
+        """Say no, and put it on record as an event."""
+        details = {"verb": verb, "reason": reason}
+        text = f"Command {verb} refused: {reason}."
+        self._events.append(TwinEvent(pb.SEVERITY_WARNING, "command_refused", text, details, self._time_s))
+        return pb.CommandReply(accepted=False, reason=reason, problems=problems, revision=self.state.revision)
+
+    def step(self) -> tuple[np.void, list[TwinEvent]]:
+        """One control cycle: its row (valid until the next) and what happened since the last."""
+        row = self.twin.step()
+        self._time_s = float(row["time"])
+        happened = self.twin.drain_events()
+        if self._events:
+            happened, self._events = [*self._events, *happened], []
+        return row, happened
+
+    def _adopt(self, parameters: "Parameters") -> None:
+        if parameters != self.state.parameters:
+            self.state = replace(self.state, parameters=parameters, revision=self.state.revision + 1)
+
+    def _done(self, reason: str) -> pb.CommandReply:
+        return pb.CommandReply(
+            accepted=True, reason=reason, run_id=self.state.run_id, revision=self.state.revision
+        )
+
+
+def phase_name(phase: int) -> str:
+    """ "RUNNING" for MISSION_PHASE_RUNNING."""
+    return pb.MissionPhase.Name(phase).removeprefix("MISSION_PHASE_")  # type: ignore[arg-type]

@@ -1,0 +1,114 @@
+"""The node's threads put together: who feeds whom, and in which order they begin and end."""
+
+import gc
+import threading
+from collections.abc import Callable
+from dataclasses import replace
+from importlib.metadata import PackageNotFoundError, version
+from typing import TYPE_CHECKING
+
+import zenoh
+
+from bumpless.contract import bumpless_pb2 as pb
+from bumpless.contract import keys
+from bumpless.node.claim import Claim
+from bumpless.node.commands import Commander
+from bumpless.node.flight import Flight, TwinLike
+from bumpless.node.health import HealthReport
+from bumpless.node.loop import ControlLoop
+from bumpless.node.pacing import FreeClock, WallClock
+from bumpless.node.publisher import BusWriter, Publisher
+from bumpless.node.ring import Ring
+from bumpless.telemetry import Teller
+
+if TYPE_CHECKING:
+    from bumpless.config.vehicle import Vehicle
+    from bumpless.node.process import Stop
+
+
+class Node:
+    """One vehicle on one open session. `name` is its id on the bus."""
+
+    def __init__(
+        self,
+        session: zenoh.Session,
+        name: str,
+        vehicle: "Vehicle",
+        twin: TwinLike,
+        stop: "Stop",
+        realtime: bool = True,
+    ) -> None:
+        period_ns = round(vehicle.control_period_s * 1e9)
+        self._session, self._name, self._stop = session, name, stop
+        clock = WallClock(period_ns) if realtime else FreeClock(period_ns)
+        ring = Ring(lossless=not realtime)
+        flight = Flight(twin)
+        self._loop = ControlLoop(flight, clock, ring)
+        teller = Teller(
+            replace(vehicle, id=name),
+            flight.chosen,
+            software_version(),
+            str(session.zid()),
+            health=HealthReport(self._loop, ring),
+        )
+        self._publisher = Publisher(ring, teller, BusWriter(session, name, wait=not realtime))
+        self._commander = Commander(name, vehicle, flight, self._loop, clock.time_ns, stop)
+
+    def run(
+        self, claim: Claim, first: pb.StartMission | None, say: Callable[[str], None]
+    ) -> Exception | None:
+        """Fly until told to stop; `first` is a mission to begin with. Returns why the loop failed, if so.
+
+        The order at the end: the loop flies its last cycle, all rows are said, requests are answered.
+        """
+        thread = threading.Thread(target=self._loop.run, args=(self._ended,), name="control", daemon=True)
+        self._publisher.start()
+        self._commander.start()
+        held = self._serve()
+        gc.collect()
+        gc.freeze()  # what is loaded stays; later collections look only at what came after
+        gc.disable()  # and happen when the publisher says so
+        thread.start()
+        claim.declare_alive()
+        say(f"{self._name} is alive")
+        if first is not None:
+            reply = self._commander.answer("start", first.SerializeToString())
+            say(reply.reason)
+            for problem in reply.problems:
+                say(f"{problem.file}:{problem.line}: {problem.field}: {problem.rule}")
+        self._stop.event.wait()
+        self._loop.stop(self._stop.reason)
+        thread.join()
+        self._publisher.join()
+        for queryable in held:
+            queryable.undeclare()
+        self._commander.close()
+        return self._loop.fault
+
+    def _ended(self) -> None:
+        self._stop("the control loop has ended", 1)
+
+    def _serve(self) -> list[zenoh.Queryable[None]]:
+        schema_key, contract = keys.schema(self._name), keys.descriptor_set()
+
+        def tell_schema(query: zenoh.Query) -> None:
+            with query:
+                query.reply(schema_key, contract, encoding=SCHEMA_ENCODING)
+
+        return [
+            self._session.declare_queryable(schema_key, tell_schema, complete=True),
+            self._session.declare_queryable(
+                keys.command(self._name, "*"), self._commander.enqueue, complete=True
+            ),
+        ]
+
+
+SCHEMA_ENCODING = "application/protobuf;google.protobuf.FileDescriptorSet"
+
+
+def software_version() -> str:
+    """Version of the installed package; "0+unknown" when run from a bare folder."""
+    try:
+        return version("bumpless")
+    except PackageNotFoundError:
+        return "0+unknown"

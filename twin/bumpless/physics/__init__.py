@@ -1,0 +1,1 @@
+"""What is true: water, hull, actuators, sensors. Knows nothing of control."""

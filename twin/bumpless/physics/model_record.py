@@ -1,0 +1,51 @@
+"""The vehicle as compiled code reads it: rigid body, water forces and actuators. See `bumpless.records`."""
+
+import numpy as np
+
+from bumpless.config.capacity import MAX_ACTUATORS as _n
+
+f8, i8 = np.float64, np.int64
+
+MODEL = np.dtype(
+    [
+        # rigid body and restoring force
+        ("rho", f8),  # kg/m^3
+        ("weight", f8),  # N
+        ("buoyancy", f8),  # N
+        ("r_g", f8, 3),  # centre of gravity in body axes, m
+        ("r_b", f8, 3),  # centre of buoyancy in body axes, m
+        ("M_RB", f8, (6, 6)),
+        ("M_A", f8, (6, 6)),
+        ("M_inv", f8, (6, 6)),  # (M_RB + M_A)^-1
+        # tau_damping_i = -(D_linear_ij + D_quadratic_ij |nu_j| + D_lift_ij s_i) nu_j,
+        # s_i = |u| for the force rows, u for the moment rows
+        ("D_linear", f8, (6, 6)),
+        ("D_quadratic", f8, (6, 6)),
+        ("D_lift", f8, (6, 6)),
+        ("controllable", f8, 6),  # 1 where the actuators can act, 0 elsewhere (S_c)
+        # actuators
+        ("n_u", i8),
+        ("kind", i8, _n),  # THRUSTER or FIN
+        ("position", f8, (_n, 3)),  # r_i, m
+        ("direction", f8, (_n, 3)),  # thrust direction d_j, or lift direction e_L
+        ("command_min", f8, _n),  # rad or rev/s
+        ("command_max", f8, _n),
+        ("command_rate", f8, _n),  # rad/s or rev/s^2, magnitude
+        ("time_constant", f8, _n),  # first-order lag, s
+        # thruster: T = T_nn n|n| - T_nv |n| V_A ; shaft torque Q = Q_nn n|n| - Q_nv |n| V_A along d
+        ("T_nn", f8, _n),  # rho D^4 K_T(0), N s^2, for n > 0
+        ("T_nn_reverse", f8, _n),  # the same for n < 0
+        ("T_nv", f8, _n),  # rho D^3 (-dK_T/dJ), N s^2/m
+        ("Q_nn", f8, _n),  # N m s^2, signed by the screw's hand
+        ("Q_nv", f8, _n),
+        # fin: C_L = C_La alpha up to the stall angle, C_D = C_D0 + C_D2 alpha^2
+        ("fin_area", f8, _n),  # m^2
+        ("C_La", f8, _n),  # 1/rad
+        ("C_D0", f8, _n),
+        ("C_D2", f8, _n),  # 1/rad^2
+        ("stall_angle", f8, _n),  # rad
+        ("reverse_lift", f8, _n),  # share of C_La left when the flow meets the trailing edge
+        ("smoothing", f8),  # thrust share below which the allocator eases a screw through zero
+    ],
+    align=True,
+)

@@ -1,0 +1,1 @@
+"""Plant and control software in one closed loop."""

@@ -1,3 +1,0 @@
-"""How much room the records have."""
-
-MAX_ACTUATORS, MAX_WAYPOINTS, N_MODES = 8, 64, 3

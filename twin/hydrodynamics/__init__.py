@@ -1,5 +1,0 @@
-"""Hydrodynamic coefficients of a vehicle, from its geometry or from published tables."""
-
-from twin.hydrodynamics.coefficients import Coefficients, hull_coefficients
-
-__all__ = ["Coefficients", "hull_coefficients"]

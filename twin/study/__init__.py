@@ -1,5 +1,0 @@
-"""The paper's study, flown again: scenarios, figures, tables, ablation, goals, and how robust they are.
-
-Everything here is a pure function of its arguments and gives plain values fit for JSON. Start at
-`twin.study.tables` (tables 6 to 8), `twin.study.ablation` and `twin.study.robustness`.
-"""
