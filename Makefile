@@ -45,7 +45,7 @@ check-containers: $(DONE)/dev
 	$(NPM) .ci exec --offline -- dclint --max-warnings 0 ../docker-compose.yml
 
 check-results: $(DONE)/dev $(DONE)/project
-	@$(PY) -m bumpless_paper.readme_results --check
+	@$(PY) -m bumpless_paper.results_page --check
 
 check-figures: $(DONE)/dev $(DONE)/project
 	@$(PY) -m tests.bench.render --check
@@ -66,9 +66,9 @@ gen: $(DONE)/dev  ## generate the contract's Python and TypeScript code
 	PYTHON=$(CURDIR)/$(PY) $(NPM) console_web run gen --silent
 
 MINUTES ?= 10
-results: $(DONE)/compiled  ## reproduce the paper and renew the README's results
+results: $(DONE)/compiled  ## reproduce the paper and renew docs/results.md
 	$(BIN)/bumpless reproduce --out build/reproduce
-	@$(PY) -m bumpless_paper.readme_results build/reproduce/reproduce.json
+	@$(PY) -m bumpless_paper.results_page build/reproduce/reproduce.json
 
 bench: $(DONE)/compiled $(DONE)/dev $(DONE)/bench console  ## measure every speed beside its peers (ARGS="--check", "--live 1")
 	$(PY) -m tests.bench $(ARGS)
