@@ -25,7 +25,7 @@ run: $(DONE)/compiled console  ## install what is missing, start server and vehi
 test: $(DONE)/compiled $(DONE)/dev console chromium  ## the whole suite, browser included (ARGS="-k docking")
 	@$(BIN)/pytest $(ARGS)
 
-check: check-style check-imports check-types check-results check-figures check-console check-containers check-gen check-leaks  ## lint, types, import rules, generated files, containers, leaks
+check: check-style check-imports check-types check-results check-figures check-console check-containers check-gen check-docs check-leaks  ## lint, types, import rules, generated files, containers, leaks
 
 check-style: $(DONE)/dev
 	$(BIN)/ruff check --quiet .
@@ -51,9 +51,13 @@ check-figures: $(DONE)/dev $(DONE)/project
 	@$(PY) -m tests.bench.render --check
 
 check-gen: $(DONE)/dev
-	@before=$$(cat $(GENERATED) | cksum) && $(MAKE) --no-print-directory gen && \
+	@before=$$(cat $(GENERATED) | cksum) && $(MAKE) --no-print-directory gen-code && \
 	after=$$(cat $(GENERATED) | cksum) && if [ "$$before" != "$$after" ]; then \
 		echo "The generated files were out of date; they are fresh now: commit them." >&2; exit 1; fi
+
+check-docs: $(DONE)/dev $(DONE)/project
+	@$(PY) -m docs.generate --check
+	@$(PY) docs/build.py --check
 
 check-leaks:
 	@! git grep -nIF -e '$(CURDIR)/' -- .
@@ -61,7 +65,10 @@ check-leaks:
 	@! git grep -nIE -e '--(extra-)?index-url|--find-links|--trusted-host|https?://' -- 'requirements*.lock'
 	@! git grep -nI -e '"resolved":' -- '*package-lock.json'
 
-gen: $(DONE)/dev  ## generate the contract's Python and TypeScript code
+gen: $(DONE)/dev $(DONE)/project gen-code  ## generate the contract's code and the docs' reference pages
+	@$(PY) -m docs.generate
+
+gen-code: $(DONE)/dev
 	$(PY) -m grpc_tools.protoc -I twin/bumpless/contract --python_out=twin/bumpless/contract --pyi_out=twin/bumpless/contract bumpless.proto
 	PYTHON=$(CURDIR)/$(PY) $(NPM) console_web run gen --silent
 
@@ -69,6 +76,10 @@ MINUTES ?= 10
 results: $(DONE)/compiled  ## reproduce the paper and renew docs/results.md
 	$(BIN)/bumpless reproduce --out build/reproduce
 	@$(PY) -m bumpless_paper.results_page build/reproduce/reproduce.json
+
+docs: $(DONE)/build  ## build the docs, which the server shows as Help
+	@$(PY) docs/build.py
+	@echo "Built: server/bumpless_server/help/index.html (open it, or /help/ of a running server)"
 
 bench: $(DONE)/compiled $(DONE)/dev $(DONE)/bench console  ## measure every speed beside its peers (ARGS="--check", "--live 1")
 	$(PY) -m tests.bench $(ARGS)
@@ -95,7 +106,7 @@ lock: $(DONE)/build  ## resolve the dependencies anew (ARGS="--upgrade")
 	$(LOCK) $(ARGS) --extra bench -c requirements-dev.lock -o requirements-bench.lock
 
 clean:  ## remove everything that was installed, built or cached (recorded data stays)
-	rm -rf .venv server/bumpless_server/static server/bumpless_server/static.new console_web/node_modules console_web/dist .ci/node_modules
+	rm -rf .venv server/bumpless_server/static server/bumpless_server/static.new server/bumpless_server/help console_web/node_modules console_web/dist .ci/node_modules
 	rm -rf .pytest_cache .ruff_cache .hypothesis .import_linter_cache dist build
 	find twin server paper tests -name __pycache__ -prune -exec rm -rf {} +
 
@@ -137,4 +148,4 @@ $(DONE)/compiled: $(DONE)/project $(TWIN)
 	@touch $@
 
 .PHONY: help run test check check-style check-imports check-types check-console check-containers check-gen \
-	check-leaks check-results check-figures gen results bench bench-live format console chromium lock clean
+	check-leaks check-results check-figures check-docs gen gen-code docs results bench bench-live format console chromium lock clean

@@ -31,7 +31,11 @@ def mark_links(app: Sphinx, docname: str, source: list[str]) -> None:
 
     def marked(found: re.Match[str]) -> str:
         path = posixpath.normpath(posixpath.join("docs", posixpath.dirname(docname), found[1]))
-        return found[0] if path.startswith("docs/") and path.endswith(".md") else f"]({SCHEME}{path}{found[2] or ''})"
+        return (
+            found[0]
+            if path.startswith("docs/") and path.endswith(".md")
+            else f"]({SCHEME}{path}{found[2] or ''})"
+        )
 
     source[0] = LINK.sub(marked, source[0])
 

@@ -22,7 +22,9 @@ north-east-down from the mission's start, `_body_` forward-starboard-down at O_b
 """
 MESSAGE, ENUM, FIELD, VALUE = 4, 5, 2, 2  # field numbers in descriptor.proto, which name places in the source
 SCALARS = {
-    number: name.removeprefix("TYPE_").lower() for name, number in Field.Type.items() if name != "TYPE_MESSAGE"
+    number: name.removeprefix("TYPE_").lower()
+    for name, number in Field.Type.items()
+    if name != "TYPE_MESSAGE"
 }
 
 
@@ -48,14 +50,23 @@ class Comments:
     def of(self, *path: int) -> str:
         """The comment above or behind the thing at `path`."""
         place = self._at.get(path)
-        return "" if place is None else " ".join(f"{place.leading_comments} {place.trailing_comments}".split())
+        return (
+            "" if place is None else " ".join(f"{place.leading_comments} {place.trailing_comments}".split())
+        )
 
 
 def page() -> str:
     """Markdown: topics, commands, then every message and enum."""
     file = described()
     comments = Comments(file)
-    return NOTE + HEAD + _topics() + _commands() + "".join(_messages(file, comments)) + "".join(_enums(file, comments))
+    return (
+        NOTE
+        + HEAD
+        + _topics()
+        + _commands()
+        + "".join(_messages(file, comments))
+        + "".join(_enums(file, comments))
+    )
 
 
 def _link(name: str) -> str:
@@ -67,9 +78,23 @@ def _topics() -> str:
     for topic in keys.TOPICS.values():
         rate = "each control cycle" if topic.rate_hz is None else f"{topic.rate_hz:g} Hz"
         rate += " and at each change" if topic.on_change else ""
-        rows.append((code(topic.name), code(keys.telemetry("<vehicle>", topic.name)), _link(topic.message.__name__), rate))
+        rows.append(
+            (
+                code(topic.name),
+                code(keys.telemetry("<vehicle>", topic.name)),
+                _link(topic.message.__name__),
+                rate,
+            )
+        )
     rows.append(("event", code(keys.event("<vehicle>")), _link("Event"), "when it happens"))
-    rows.append(("truth", code(keys.truth("<vehicle>")), _link("TruthState"), "each control cycle; simulated vehicles only"))
+    rows.append(
+        (
+            "truth",
+            code(keys.truth("<vehicle>")),
+            _link("TruthState"),
+            "each control cycle; simulated vehicles only",
+        )
+    )
     return "## Topics\n\n" + table(("topic", "key", "message", "said"), rows) + "\n"
 
 
@@ -103,6 +128,7 @@ def _type(message: Any, field: Any) -> str:
 def _enums(file: descriptor_pb2.FileDescriptorProto, comments: Comments) -> Iterator[str]:
     for e, enum in enumerate(file.enum_type):
         rows = [
-            (value.number, code(value.name), comments.of(ENUM, e, VALUE, v)) for v, value in enumerate(enum.value)
+            (value.number, code(value.name), comments.of(ENUM, e, VALUE, v))
+            for v, value in enumerate(enum.value)
         ]
         yield f"## {enum.name}\n\n{comments.of(ENUM, e)}\n\n" + table(("no.", "name", "meaning"), rows) + "\n"

@@ -61,7 +61,11 @@ def _row(schema: dict[str, Any]) -> str:
     if "prefixItems" in schema:
         return "list: " + "; ".join(_kind(_plain(one)) for one in schema["prefixItems"])
     low, high = schema.get("minItems"), schema.get("maxItems")
-    count = f"{low}" if low == high else f"{low if low is not None else 0} to {high if high is not None else 'any'}"
+    count = (
+        f"{low}"
+        if low == high
+        else f"{low if low is not None else 0} to {high if high is not None else 'any'}"
+    )
     inner = _plain(schema.get("items", {}))
     return f"list of {count}" + ("" if inner.get("type") == "object" else f": {_kind(inner)}")
 

@@ -22,7 +22,13 @@ def names(module: Any = bumpless) -> list[str]:
 def page(module: Any = bumpless) -> str:
     """Markdown: a chapter per open name."""
     text = inspect.cleandoc(module.__doc__ or "")
-    return NOTE + HEAD + text + "\n\n" + "\n".join(_chapter(name, getattr(module, name)) for name in names(module))
+    return (
+        NOTE
+        + HEAD
+        + text
+        + "\n\n"
+        + "\n".join(_chapter(name, getattr(module, name)) for name in names(module))
+    )
 
 
 def _chapter(name: str, thing: Any) -> str:
@@ -31,7 +37,9 @@ def _chapter(name: str, thing: Any) -> str:
     text = f"## {name}\n\n```python\n{name}{_signature(thing)}\n```\n\n{_words(thing)}\n"
     if inspect.isclass(thing):
         for member, value in vars(thing).items():
-            if not member.startswith("_") and (inspect.isfunction(value) or isinstance(value, property | classmethod)):
+            if not member.startswith("_") and (
+                inspect.isfunction(value) or isinstance(value, property | classmethod)
+            ):
                 text += f"\n### {name}.{member}\n\n" + _member(member, value)
     return text
 
