@@ -1,7 +1,7 @@
 """`python -m docs.count BASE`: the files that a change touched, as docs/architecture.md counts them.
 
-Lists what differs between BASE (a commit) and the working tree. Hand-written files of the product count; files
-made by a command, tests, docs and locks are listed beside them.
+Lists what differs between BASE (a commit) and the working tree. Hand-written files of the product count;
+files made by a command, tests, docs and locks are listed beside them.
 """
 
 import subprocess
@@ -16,7 +16,9 @@ BESIDE = ("tests/", "docs/", "README.md", "CHANGELOG.md", "results/", "console_w
 def touched(base: str) -> list[str]:
     """Paths that differ from `base`, new ones included."""
     commands = (["diff", "--name-only", "-M", base], ["ls-files", "--others", "--exclude-standard"])
-    said = (subprocess.run(["git", *c], cwd=ROOT, check=True, capture_output=True, text=True) for c in commands)
+    said = (
+        subprocess.run(["git", *c], cwd=ROOT, check=True, capture_output=True, text=True) for c in commands
+    )
     return sorted({line for done in said for line in done.stdout.splitlines()})
 
 

@@ -1,6 +1,8 @@
 """The commands and their options: what each says of itself when asked for help."""
 
 import inspect
+from collections.abc import Callable
+from typing import Any
 
 from typer.testing import CliRunner
 
@@ -16,10 +18,10 @@ Every command but `serve` and `vehicle` ends by itself; most take `--json`.
 WIDTH = {"COLUMNS": "100", "TERMINAL_WIDTH": "100", "NO_COLOR": "1", "TERM": "dumb"}
 
 
-def commands() -> list[str]:
-    """The commands' names, in the order of `bumpless --help`."""
-    found = [one.name or (one.callback.__name__ if one.callback else "") for one in app.registered_commands]
-    return [name.replace("_", "-") for name in found]
+def commands() -> dict[str, Callable[..., Any]]:
+    """Name -> function, in the order of `bumpless --help`."""
+    made = [(one.name, one.callback) for one in app.registered_commands if one.callback is not None]
+    return {(name or function.__name__).replace("_", "-"): function for name, function in made}
 
 
 def help_of(command: str) -> str:

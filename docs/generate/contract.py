@@ -1,4 +1,4 @@
-"""The vehicle contract: topics, commands and messages, from the table of keys and the .proto with its comments."""
+"""The vehicle contract: topics, commands and messages, from the table of keys and the .proto's comments."""
 
 import tempfile
 from collections.abc import Iterator

@@ -11,8 +11,8 @@ from docs.generate.markdown import NOTE, code, table
 HEAD = """# Settings
 
 Every setting of the server. Set it in the environment by the name in the first column; `bumpless serve` has
-an option for the common ones (see [Commands](cli.md)). An option wins over the environment. A name that does not
-exist is refused with the nearest one that does. A list is written `a,b`.
+an option for the common ones (see [Commands](cli.md)). An option wins over the environment. A name that does
+not exist is refused with the nearest one that does. A list is written `a,b`.
 
 """
 

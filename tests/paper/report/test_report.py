@@ -1,4 +1,4 @@
-"""The report: plots, tables, page and docs/results.md say what the numbers say; the page needs nothing else."""
+"""The report: plots, tables, page and docs/results.md say what the numbers say; the page stands alone."""
 
 import csv
 import io
