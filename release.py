@@ -1,8 +1,9 @@
 """`make release VERSION=x.y.z`: one commit, one tag, one wheel and one source package.
 
 In this order: the tree must be clean and the version new; `make check` must pass; version and changelog are
-written and committed; wheel and source package are built into dist/; the commit is tagged. What fails before the
-commit leaves nothing behind; a build that fails takes the commit back. Nothing is pushed: that is left to a person.
+written and committed; wheel and source package are built into dist/; the commit is tagged. What fails before
+the commit leaves nothing behind; a build that fails takes the commit back. Nothing is pushed: that is left to
+a person.
 """
 
 import datetime
@@ -12,6 +13,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent
+CHECKS = ("make", "check")
 PROJECT, CHANGELOG = ROOT / "pyproject.toml", ROOT / "CHANGELOG.md"
 VERSION = re.compile(r'^version = "([^"]+)"$', re.MULTILINE)
 NUMBER = re.compile(r"(\d+)\.(\d+)\.(\d+)")
@@ -84,7 +86,7 @@ def main(arguments: list[str]) -> int:
     try:
         (version,) = arguments
         check(version)
-        subprocess.run(["make", "check"], cwd=ROOT, check=True)
+        subprocess.run(CHECKS, cwd=ROOT, check=True)
         begun = git("rev-parse", "HEAD")
         write(version, datetime.date.today())
         git("commit", "--quiet", "--all", "--message", f"Release {version}")
