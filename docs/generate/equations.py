@@ -67,7 +67,7 @@ def _in_file(path: Path) -> Iterator[Place]:
 
 def _sentence(docstring: str) -> str:
     text = " ".join(docstring.split()).split("Source:")[0].strip()
-    return re.split(r"(?<=[.;:]) ", text)[0].rstrip(":;.").replace("|", "\\|")
+    return re.split(r"(?<=[.;]) ", text)[0].rstrip(":;.").replace("|", "\\|")
 
 
 def filled(page: str, found: list[Place] | None = None) -> str:
@@ -80,7 +80,7 @@ def _table(found: list[Place], first: int, last: int) -> str:
     wanted = set(range(first, last + 1))
     rows = [(sorted(place.equations & wanted), place) for place in found if place.equations & wanted]
     # the function that implements one equation comes before the module that names twenty
-    rows.sort(key=lambda row: (row[0][0], not row[1].name, len(row[1].equations), row[1].path, row[1].line))
+    rows.sort(key=lambda row: (not row[1].name, row[0][0], len(row[1].equations), row[1].path, row[1].line))
     lines = ["| equation | where | what it does |\n", "| --- | --- | --- |\n"]
     for numbers, place in rows:
         module = place.path.removeprefix("twin/bumpless/")
