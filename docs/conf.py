@@ -27,3 +27,4 @@ html_show_sourcelink = False
 html_copy_source = False
 html_use_index = False
 html_show_sphinx = False
+html_favicon = "../console_web/public/favicon.svg"
