@@ -14,7 +14,7 @@ from bumpless_server.web import errors
 from bumpless_server.web.auth import Auth
 from bumpless_server.web.body_limit import BodyLimit
 from bumpless_server.web.guard import Guard
-from bumpless_server.web.routes import missions, page, parameters, runs, status, stream
+from bumpless_server.web.routes import help, missions, page, parameters, runs, status, stream
 
 log = logging.getLogger(__name__)
 
@@ -46,6 +46,7 @@ def create_app(settings: Settings, console: Console | None = None) -> FastAPI:
     if settings.scene != "off":
         app.state.scene = scene = Scene(console.state, settings, light=settings.scene == "light")
         app.include_router(scene.router)
+    help.mount(app)
     page.mount(app)
     return app
 

@@ -1,4 +1,4 @@
-"""The report: plots, tables, page and README say what the numbers say, and the page needs nothing else."""
+"""The report: plots, tables, page and docs/results.md say what the numbers say; the page stands alone."""
 
 import csv
 import io
@@ -17,7 +17,7 @@ from bumpless_paper.report.parts import PARTS, run_part, wanted_parts
 from bumpless_paper.report.parts.extensions import effect
 from bumpless_paper.report.parts.tradeoff import best
 from bumpless_paper.report.plot import POINTS, panel_svg, thinned
-from bumpless_paper.report.readme import BEGIN, END, results_text, with_results
+from bumpless_paper.report.results import BEGIN, END, results_text, with_results
 from bumpless_paper.report.shortfalls import CAUSES, shortfalls
 from bumpless_paper.report.solid import solid_svg
 from bumpless_paper.report.summary import summary_html
@@ -134,13 +134,13 @@ def test_steps_of_table_a5_are_taken_at_1_hz_near_the_switch() -> None:
     assert about_mean(np.array([1.0, 3.0])) == pytest.approx(1.0)
 
 
-def test_the_readme_holds_the_results_of_the_numbers_behind_it() -> None:
+def test_the_results_page_holds_the_numbers_behind_it() -> None:
     """Protects: nobody edits a result by hand; `make results` makes both."""
-    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs" / "results.md").read_text(encoding="utf-8")
     document = json.loads((ROOT / "results" / "reproduce.json").read_text(encoding="utf-8"))
-    assert with_results(readme, document) == readme
-    assert results_text(document) in readme
-    assert readme.count(BEGIN) == readme.count(END) == 1
+    assert with_results(page, document) == page
+    assert results_text(document) in page
+    assert page.count(BEGIN) == page.count(END) == 1
 
 
 def test_columns_stand_as_their_cells_do() -> None:
@@ -177,7 +177,7 @@ def test_an_extension_is_needed_where_a_goal_falls_without_it() -> None:
 
 
 def test_every_shortfall_has_its_reason_and_its_numbers() -> None:
-    """Protects: the README says why a goal is missed, with share, place and price from the JSON."""
+    """Protects: the results page says why a goal is missed, with share, place and price from the JSON."""
     name = "S4<=S2 e_tau"
     robust = {
         "numbers": {"missed": [name], "share": {name: 0.28}},

@@ -5,7 +5,7 @@ deflection over its largest, and a thruster's *bollard thrust* T_nn n|n| over it
 speed the map has zero slope at n = 0 and Gauss-Newton could not start a stopped thruster.
 Bounds in x are exact images of the bounds on deflection and shaft speed, because n -> n|n| is monotone.
 
-Source: Gao et al. 2026, eq. (27)-(34), (46), (50).
+Source: Gao et al. 2026, eq. (21)-(22), (27)-(36), (46), (50).
 Differs: the inflow term T_nv |n| V_A is taken at the previous command, one cycle old. As an option
 (`smoothing`, x_0) a screw passes through zero with a finite slope: n|n| = x holds far from zero only,
 n ~ x (x^2 + x_0^2)^-1/4 everywhere, which misses at most 0.3 x_0 of the largest thrust.

@@ -1,17 +1,17 @@
-"""`python -m bumpless_paper.readme_results [FILE]`: the README's results from the numbers behind them.
+"""`python -m bumpless_paper.results_page [FILE]`: docs/results.md from the numbers behind it.
 
 With a file its numbers are taken over into results/reproduce.json first. `--check` writes nothing and fails
-when the README differs from what results/reproduce.json gives.
+when the page differs from what results/reproduce.json gives.
 """
 
 import json
 import sys
 from pathlib import Path
 
-from bumpless_paper.report.readme import small, with_results
+from bumpless_paper.report.results import small, with_results
 
 ROOT = Path(__file__).parents[2]
-README, RESULTS = ROOT / "README.md", ROOT / "results" / "reproduce.json"
+PAGE, RESULTS = ROOT / "docs" / "results.md", ROOT / "results" / "reproduce.json"
 
 
 def main(arguments: list[str]) -> int:
@@ -21,13 +21,13 @@ def main(arguments: list[str]) -> int:
         RESULTS.parent.mkdir(exist_ok=True)
         RESULTS.write_text(json.dumps(document, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
     document = json.loads(RESULTS.read_text(encoding="utf-8"))
-    old = README.read_text(encoding="utf-8")
+    old = PAGE.read_text(encoding="utf-8")
     new = with_results(old, document)
     if "--check" in arguments:
         if old != new:
-            print("README.md differs from results/reproduce.json: run `make results`", file=sys.stderr)
+            print("docs/results.md differs from results/reproduce.json: run `make results`", file=sys.stderr)
         return int(old != new)
-    README.write_text(new, encoding="utf-8")
+    PAGE.write_text(new, encoding="utf-8")
     return 0
 
 

@@ -1,4 +1,4 @@
-"""The README's results: made from the numbers of `bumpless reproduce`, never by hand."""
+"""The results page (docs/results.md): made from the numbers of `bumpless reproduce`, never by hand."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -12,7 +12,7 @@ TABLES = ("table3", "table3_missed", "table6", "table7", "table8", "tableA5", "g
 
 
 def small(document: dict[str, Any]) -> dict[str, Any]:
-    """The part of reproduce.json that the README needs: numbers, hashes and a few tables."""
+    """The part of reproduce.json that the page needs: numbers, hashes and a few tables."""
     parts = {
         name: {
             "tables": {id: table for id, table in part["tables"].items() if id in TABLES},
@@ -24,12 +24,12 @@ def small(document: dict[str, Any]) -> dict[str, Any]:
     return {**document, "parts": parts}
 
 
-def with_results(readme: str, document: dict[str, Any]) -> str:
-    """The README with its results made anew. ValueError when it has no place for them."""
-    head, begin, rest = readme.partition(BEGIN)
+def with_results(page: str, document: dict[str, Any]) -> str:
+    """The page with its results made anew. ValueError when it has no place for them."""
+    head, begin, rest = page.partition(BEGIN)
     _, end, tail = rest.partition(END)
     if not begin or not end:
-        raise ValueError(f"README.md has no {BEGIN} ... {END}")
+        raise ValueError(f"docs/results.md has no {BEGIN} ... {END}")
     return f"{head}{BEGIN}\n{results_text(document)}{END}{tail}"
 
 
