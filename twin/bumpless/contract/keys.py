@@ -51,6 +51,12 @@ TOPICS: dict[str, Topic] = {
     )
 }
 
+# topic as logs and streams name it -> message: all that a vehicle says
+SAID: dict[str, type[Message]] = {f"tlm/{name}": topic.message for name, topic in TOPICS.items()} | {
+    "event": pb.Event,
+    "truth/state": pb.TruthState,
+}
+
 # verb -> request message; every command answers with CommandReply
 COMMANDS: dict[str, type[Message]] = {
     "start": pb.StartMission,
