@@ -72,7 +72,8 @@ def test_it_is_rebuilt_from_the_files(catalogue: Catalogue, tmp_path: Path) -> N
     catalogue.refresh()
     before = catalogue.rows()
     assert [row.summary.id for row in before] == ["run-2", "run-1", "run-0"]
-    assert before[0].summary.metrics["cycles"] == 3 and before[0].summary.duration_s == 1.5
+    assert before[0].summary.metrics is not None and before[0].summary.metrics["cycles"] == 3
+    assert before[0].summary.duration_s == 1.5
     catalogue.close()
     (tmp_path / "index.sqlite").unlink()
     catalogue.open()

@@ -14,6 +14,7 @@ from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.keys import SAID
 from bumpless.metrics import Columns
 from bumpless.metrics.columns import EDGE_PER_SI, FLYING
+from bumpless.runs.figures import Figures, figures_of, how_ended
 from bumpless.runs.names import DESCRIPTION, MISSION, PLAN, TRUTH
 from bumpless.runs.read import log_messages
 
@@ -69,6 +70,18 @@ def read_columns(path: Path) -> RecordedColumns:
         else:
             columns[topic].add(message.stamp.cycle, _NUMBERS[topic](message))
     return RecordedColumns(_joined(columns), vehicle, status, plan)
+
+
+def figures_of_file(path: Path, run_id: str, state: str, phase: int) -> Figures | None:
+    """Figures of a log, also of one that is still being written (flush it first) or was cut.
+
+    `state` and `phase` are the run's last. None when the file holds no cycle of a mission or no usable
+    vehicle description. Raises ValueError when it is not MCAP.
+    """
+    data = read_columns(path)
+    if data.vehicle is None or len(data.columns) == 0:
+        return None
+    return figures_of(data.columns, data.vehicle, run_id, how_ended(state, phase))
 
 
 def _vehicle(message: pb.VehicleDescription) -> Vehicle | None:

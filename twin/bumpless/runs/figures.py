@@ -1,14 +1,12 @@
 """A run's figures: metrics and outcome, the same from memory as from the file."""
 
 import json
-from pathlib import Path
 from typing import Any
 
 from bumpless.config.vehicle import Vehicle
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.metrics import Columns, Outcome, metrics_of, outcome_of
 from bumpless.metrics.outcome import How
-from bumpless.runs.columns import read_columns
 from bumpless.runs.names import COMPLETE
 
 Figures = tuple[pb.Metrics, Outcome]
@@ -17,18 +15,6 @@ Figures = tuple[pb.Metrics, Outcome]
 def figures_of(columns: Columns, vehicle: Vehicle, run_id: str, how: How, reason: str = "") -> Figures:
     """Metrics and outcome of a run that ended as `how`."""
     return metrics_of(columns, vehicle, run_id), outcome_of(columns, how, vehicle.control_period_s, reason)
-
-
-def figures_of_file(path: Path, run_id: str, state: str, phase: int) -> Figures | None:
-    """Figures of a log, also of one that is still being written (flush it first) or was cut.
-
-    `state` and `phase` are the run's last. None when the file holds no cycle of a mission or no usable
-    vehicle description. Raises ValueError when it is not MCAP.
-    """
-    data = read_columns(path)
-    if data.vehicle is None or len(data.columns) == 0:
-        return None
-    return figures_of(data.columns, data.vehicle, run_id, how_ended(state, phase))
 
 
 def how_ended(state: str, phase: int) -> How:

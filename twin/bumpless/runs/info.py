@@ -31,12 +31,13 @@ class RunInfo:
     @classmethod
     def read(cls, record: Mapping[str, str], otherwise: str) -> Self:
         """From a metadata record; `otherwise` is the id where it tells none."""
-        found: dict[str, Any] = {name.name: record[name.name] for name in fields(cls) if name.name in record}
+        found: dict[str, Any] = {"id": otherwise, "run_id": otherwise}
+        found |= {name.name: record[name.name] for name in fields(cls) if name.name in record}
         for name in ("seed", "started_ns"):
-            text = found.pop(name, "")
+            text = str(found.pop(name, ""))
             if text.lstrip("-").isdigit():
                 found[name] = int(text)
-        return cls(**{"id": otherwise, "run_id": otherwise} | found)
+        return cls(**found)
 
     def record(self) -> dict[str, str]:
         """As a metadata record."""

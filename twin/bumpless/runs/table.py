@@ -103,10 +103,12 @@ def _getter(paths: list[str]) -> Callable[[Any], tuple[Any, ...]]:
 
 def _enum_name(field: FieldDescriptor, number: int) -> str:
     """ "FORWARD" for MODE_FORWARD."""
-    known = field.enum_type.values_by_number.get(number)
+    assert field.enum_type is not None
+    numbers = field.enum_type.values_by_number
+    known = numbers.get(number)
     if known is None:
         return str(number)
-    prefix = field.enum_type.values_by_number[0].name.removesuffix("UNSPECIFIED")
+    prefix = numbers[0].name.removesuffix("UNSPECIFIED")
     return known.name.removeprefix(prefix)
 
 

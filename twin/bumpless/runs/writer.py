@@ -11,9 +11,10 @@ from google.protobuf.message import Message
 
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.messages import MESSAGES, decoded, encoded, stamp_of
-from bumpless.metrics import Outcome, as_dict
+from bumpless.metrics import as_dict
 from bumpless.runs import names
-from bumpless.runs.figures import figures_of_file, json_bytes
+from bumpless.runs.columns import figures_of_file
+from bumpless.runs.figures import Figures, json_bytes
 from bumpless.runs.info import run_info
 from bumpless.runs.mcap_file import McapFile
 from bumpless.runs.names import CONTEXT, DESCRIPTION, PARAMETERS_STATUS, PLAN
@@ -80,9 +81,7 @@ class RunWriter:
         self._file.flush()
         self.flushed_bytes = self.path.stat().st_size
 
-    def finish(
-        self, state: str, reason: str, dropped: int = 0, figures: tuple[pb.Metrics, Outcome] | None = None
-    ) -> None:
+    def finish(self, state: str, reason: str, dropped: int = 0, figures: Figures | None = None) -> None:
         """Write the figures (computed from the file when None) and the end, and close the file."""
         try:
             self.flush()
@@ -168,9 +167,7 @@ def _is_other_plan(said: Message, status: pb.MissionStatus) -> bool:
     return isinstance(said, pb.Plan) and said.sha256 != status.mission_sha256
 
 
-def _figures(
-    path: Path, run_id: str, state: str, status: pb.MissionStatus
-) -> tuple[pb.Metrics, Outcome] | None:
+def _figures(path: Path, run_id: str, state: str, status: pb.MissionStatus) -> Figures | None:
     """The figures of a file; None without. A run is worth keeping without its figures."""
     try:
         return figures_of_file(path, run_id, state, status.phase)
