@@ -109,10 +109,11 @@ chromium:
 LOCK := $(BIN)/uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header \
 	--no-annotate --no-emit-index-url --no-emit-find-links pyproject.toml
 lock: $(DONE)/build  ## resolve the dependencies anew (ARGS="--upgrade")
-	$(LOCK) $(ARGS) -o requirements.lock
+	$(LOCK) $(ARGS) --extra console --extra paper -o requirements.lock
 	$(LOCK:pyproject.toml=) $(ARGS) --group build -c requirements.lock -o requirements-build.lock
-	$(LOCK) $(ARGS) --group build --group dev -c requirements.lock -c requirements-build.lock -o requirements-dev.lock
-	$(LOCK) $(ARGS) --extra bench -c requirements-dev.lock -o requirements-bench.lock
+	$(LOCK) $(ARGS) --extra all --group build --group dev -c requirements.lock -c requirements-build.lock \
+		-o requirements-dev.lock
+	$(LOCK) $(ARGS) --extra console --extra paper --extra bench -c requirements-dev.lock -o requirements-bench.lock
 
 release: $(DONE)/dev $(DONE)/project  ## version, changelog, commit, wheel, tag (VERSION=x.y.z)
 	@$(PY) release.py $(VERSION)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from bumpless.config.vehicle import Vehicle, load_vehicle
-from bumpless.metrics import Run
+from bumpless.metrics import Columns
 
 N_U = 7
 
@@ -18,7 +18,7 @@ def ts100() -> Vehicle:
     return load_vehicle("ts100")
 
 
-def quiet(n: int, **columns: Any) -> Run:
+def quiet(n: int, **columns: Any) -> Columns:
     """n cycles in F in which nothing happens, with some columns replaced."""
     base: dict[str, Any] = {
         "time": 0.05 * np.arange(n),
@@ -31,12 +31,17 @@ def quiet(n: int, **columns: Any) -> Run:
         "solve_time": np.full(n, 20e-6),
     }
     base |= {name: np.zeros((n, 6)) for name in ("eta_hat", "nu_hat", "tau_d", "tau_plus", "tau_minus")}
-    base |= {name: np.zeros((n, 6)) for name in ("tau_c", "tau")}
+    base |= {name: np.zeros((n, 6)) for name in ("tau_c", "tau", "eta", "nu")}
+    base |= {
+        "observation_point": np.zeros((n, 3)),
+        "target": np.zeros((n, 4)),
+        "target_true": np.zeros((n, 3)),
+    }
     base |= {"u": np.zeros((n, N_U)), "du_max": np.full((n, N_U), 0.02)}
-    return Run(**(base | columns))
+    return Columns(**(base | columns))
 
 
 @pytest.fixture
-def make_run() -> Callable[..., Run]:
+def make_run() -> Callable[..., Columns]:
     """See `quiet`."""
     return quiet

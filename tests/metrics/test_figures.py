@@ -8,10 +8,10 @@ import pytest
 
 from bumpless.config.vehicle import Vehicle
 from bumpless.contract import bumpless_pb2 as pb
-from bumpless.metrics import Run, as_dict, metrics_of
+from bumpless.metrics import Columns, as_dict, metrics_of
 from bumpless.records import FORWARD, HOVER, LOG, REVERSE
 
-MakeRun = Callable[..., Run]
+MakeRun = Callable[..., Columns]
 
 
 def test_residual_counts_controllable_components_only(make_run: MakeRun, ts100: Vehicle) -> None:
@@ -101,7 +101,7 @@ def test_solve_times_and_solved_share(make_run: MakeRun, ts100: Vehicle) -> None
 
 def test_an_empty_run_has_no_figures(ts100: Vehicle) -> None:
     """A mission aborted before its first cycle is no error."""
-    run = Run.from_log(np.zeros(0, LOG), 7)
+    run = Columns.from_log(np.zeros(0, LOG), 7)
     assert (len(run), run.missing) == (0, 0)
     assert metrics_of(run, ts100).cycles == 0
 
@@ -111,4 +111,4 @@ def test_only_cycles_of_the_mission_count(ts100: Vehicle) -> None:
     log = np.zeros(6, LOG)
     log["phase"] = [1, 2, 2, 3, 4, 5]
     log["cycle"] = np.arange(6)
-    assert list(Run.from_log(log, 7).cycle) == [1, 2, 3]
+    assert list(Columns.from_log(log, 7).cycle) == [1, 2, 3]

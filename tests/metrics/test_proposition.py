@@ -6,10 +6,10 @@ import numpy as np
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from bumpless.metrics import Run
+from bumpless.metrics import Columns
 from bumpless.metrics.proposition import demand_step_violations, increment_violations
 
-MakeRun = Callable[..., Run]
+MakeRun = Callable[..., Columns]
 BOUND = np.full(7, 1.0)
 
 

@@ -6,9 +6,9 @@ import numpy as np
 from google.protobuf import json_format
 
 from bumpless.contract import bumpless_pb2 as pb
+from bumpless.metrics.columns import EDGE_PER_SI, Columns, Floats
 from bumpless.metrics.modes import ModeFigures, mode_figures
 from bumpless.metrics.proposition import demand_step_violations, increment_violations
-from bumpless.metrics.run import EDGE_PER_SI, Floats, Run
 from bumpless.metrics.switches import SwitchSteps, largest, switch_steps
 from bumpless.records import FORWARD, HOVER, REVERSE
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 AT_BOUND = 1e-6  # closer than this share of the span counts as at the bound
 
 
-def metrics_of(run: Run, vehicle: "Vehicle", run_id: str = "") -> pb.Metrics:
+def metrics_of(run: Columns, vehicle: "Vehicle", run_id: str = "") -> pb.Metrics:
     """Figures of merit of a run of `vehicle`; figures of what did not happen are NaN.
 
     e_tau = tau_d - tau_c over the vehicle's controllable components, N and N m together as the paper
@@ -74,7 +74,7 @@ def _rms(values: Floats) -> float:
     return float(np.sqrt(np.mean(values**2)))
 
 
-def _saturation_ratio(run: Run, lower: Floats, upper: Floats) -> float:
+def _saturation_ratio(run: Columns, lower: Floats, upper: Floats) -> float:
     near = AT_BOUND * (upper - lower)
     return float(np.mean(np.any((run.u <= lower + near) | (run.u >= upper - near), axis=1)))
 
@@ -84,7 +84,7 @@ def _contract_mode(mode: int) -> pb.Mode:
     return cast("pb.Mode", mode + 1)
 
 
-def _switch(run: Run, steps: SwitchSteps) -> pb.SwitchMetrics:
+def _switch(run: Columns, steps: SwitchSteps) -> pb.SwitchMetrics:
     return pb.SwitchMetrics(
         from_mode=_contract_mode(steps.from_mode),
         to_mode=_contract_mode(steps.to_mode),

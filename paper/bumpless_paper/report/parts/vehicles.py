@@ -13,14 +13,14 @@ FLIGHTS = {"ts100": "docking", "bluerov2_heavy": "rov_docking", "remus100": "rem
 
 def part(progress: Progress) -> Part:
     """Fly each vehicle's docking mission."""
-    from bumpless.metrics import Run, metrics_of
+    from bumpless.metrics import Columns, metrics_of
 
     rows, hashes = [], {}
     figures: list[Figure] = []
     for k, (name, flight) in enumerate(FLIGHTS.items()):
         vehicle, mission = load_vehicle(name), shipped_mission(flight)
         result = simulate(mission, vehicle)
-        m = metrics_of(Run.from_log(result.log, len(vehicle.actuators)), vehicle)
+        m = metrics_of(Columns.from_log(result.log, len(vehicle.actuators)), vehicle)
         flown = [int(result.log["mode"][0]), *(s.to_mode - 1 for s in m.switches)]
         modes = "→".join("FRH"[mode] for mode in flown)
         rows.append(

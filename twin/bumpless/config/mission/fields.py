@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass
 
+from bumpless.contract.names import MISSION
+
 Vector3 = tuple[float, float, float]
 Vector6 = tuple[float, float, float, float, float, float]
 
@@ -62,7 +64,7 @@ def unit_of(note: object) -> str:
     return getattr(note, "unit", "")
 
 
-NAME = r"[A-Za-z0-9][A-Za-z0-9_-]{0,63}"
+NAME = MISSION.pattern
 
 
 def position(about: str) -> Row:

@@ -15,12 +15,11 @@ from foxglove_schemas_protobuf.Pose_pb2 import Pose
 from foxglove_schemas_protobuf.PoseInFrame_pb2 import PoseInFrame
 from foxglove_schemas_protobuf.PosesInFrame_pb2 import PosesInFrame
 from foxglove_schemas_protobuf.Quaternion_pb2 import Quaternion
-from google.protobuf.message import DecodeError, Message
+from google.protobuf.message import Message
 
 from bumpless.contract import bumpless_pb2 as pb
-from bumpless_server.live.sample import MESSAGES
-from bumpless_server.runs.views_scene import SceneViews
 from bumpless_server.scene import pose
+from bumpless_server.views.foxglove_scene import FoxgloveScene
 
 WORLD, NED, BODY, TARGET = "map", "ned", "body", "target"
 TRACK_PERIOD_NS = 2_000_000_000  # of /path/track, the whole way so far
@@ -31,10 +30,10 @@ _LEVELS = {pb.SEVERITY_INFO: Log.INFO, pb.SEVERITY_WARNING: Log.WARNING, pb.SEVE
 View = tuple[str, Message]
 
 
-class Views:
+class Foxglove:
     """Fed with every message of the bus in its order; answers with what follows from it.
 
-    `ready`: see `SceneViews`.
+    `ready`: see `FoxgloveScene`.
     """
 
     def __init__(self, ready: Callable[[], bool] = lambda: True) -> None:
@@ -44,23 +43,20 @@ class Views:
             "bumpless.Target": self._target,
             "bumpless.Event": self._event,
         }
-        self._scene = SceneViews(ready)
+        self._scene = FoxgloveScene(ready)
         self._track: list[Pose] = []
         self._track_step_ns = 500_000_000
         self._track_ns = self._track_sent_ns = 0
         self._plan_sha256 = ""
         self._target_at: tuple[float, ...] = ()
 
-    def see(self, topic: str, schema: str, payload: bytes) -> Iterator[View]:
+    def wants(self, schema: str) -> bool:
+        """Whether messages of this full name are shown."""
+        return schema in self._makers or self._scene.wants(schema)
+
+    def see(self, message: Message) -> Iterator[View]:
         """Foxglove messages that follow from one message of the bus, as (topic, message)."""
-        maker = self._makers.get(schema)
-        if maker is None and not self._scene.wants(schema):
-            return
-        message = MESSAGES[schema]()
-        try:
-            message.ParseFromString(payload)
-        except DecodeError:
-            return
+        maker = self._makers.get(message.DESCRIPTOR.full_name)
         if maker is not None:
             yield from maker(message)
         yield from self._scene.see(message)

@@ -9,7 +9,7 @@ from mcap.records import Attachment, Channel, Header, Message, Metadata, Schema
 from mcap.stream_reader import StreamReader
 from mcap.writer import CompressionType, Writer
 
-from bumpless_server.runs.read import CUT
+from bumpless.runs.read import CUT
 
 
 @dataclass(frozen=True)

@@ -1,7 +1,8 @@
-"""The columns of a run that metrics are made of."""
+"""The columns of a run that its figures are made of."""
 
 import math
-from dataclasses import dataclass, fields
+from collections.abc import Sequence
+from dataclasses import dataclass, fields, replace
 from typing import Any, Self
 
 import numpy as np
@@ -15,7 +16,7 @@ FLYING = (0, 2, 3)  # MissionPhase: not said, running, paused
 
 
 @dataclass(frozen=True)
-class Run:
+class Columns:
     """One row per control cycle (n rows, n_u actuators), named and scaled as in `records.LOG`.
 
     Only cycles in which the mission ran are kept. Columns of truth are NaN where nobody knew it.
@@ -34,6 +35,11 @@ class Run:
     tau_minus: Floats  # (n, 6)
     tau_c: Floats  # (n, 6) by the allocator's model
     tau: Floats  # (n, 6) the plant's true wrench
+    observation_point: Floats  # (n, 3) NED, as believed
+    target: Floats  # (n, 4) believed position NED, m, and approach heading, rad
+    eta: Floats  # (n, 6) truth
+    nu: Floats  # (n, 6) truth
+    target_true: Floats  # (n, 3) truth
     u: Floats  # (n, n_u) commands, rad or rev/s
     du_max: Floats  # (n, n_u) increment bound of the cycle
     status: Integers  # (n,) SolveStatus
@@ -47,6 +53,26 @@ class Run:
         for name in ("u", "du_max"):
             columns[name] = columns[name][:, :n_u]
         return cls(**columns)
+
+    def as_told(self, units: Sequence[str]) -> Self:
+        """The same after its way over the bus, in deg and rpm: what a log holds, to the bit.
+
+        units: of each actuator's command, "deg" or "rpm".
+        """
+        edge = np.array([EDGE_PER_SI[unit] for unit in units])
+        angles = {name: getattr(self, name).copy() for name in ("eta_hat", "nu_hat", "eta", "nu")}
+        for values in angles.values():
+            values[:, 3:] = np.radians(values[:, 3:] * EDGE_PER_SI["deg"])
+        target = self.target.copy()
+        target[:, 3] = np.radians(target[:, 3] * EDGE_PER_SI["deg"])
+        return replace(
+            self,
+            u=self.u * edge / edge,
+            du_max=self.du_max * edge / edge,
+            solve_time=self.solve_time * 1e6 * 1e-6,
+            target=target,
+            **angles,
+        )
 
     def __len__(self) -> int:
         return len(self.time)

@@ -14,10 +14,9 @@ from scipy.spatial.transform import Rotation
 
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.keys import TOPICS
-from bumpless_server.runs.views import Views
-from bumpless_server.runs.views_scene import METRES_PER_UNIT, SceneViews
-
-from .conftest import Flight
+from bumpless_server.views.foxglove import Foxglove
+from bumpless_server.views.foxglove_scene import METRES_PER_UNIT, FoxgloveScene
+from tests.runs.flights import Flight, begin
 
 LAYOUT = Path(__file__).parents[3] / "docs" / "foxglove_layout.json"
 
@@ -37,6 +36,55 @@ def rotation(message: Any) -> Rotation:
     return Rotation.from_quat([message.x, message.y, message.z, message.w])
 
 
+FOXGLOVE = {
+    "/tf": "foxglove.FrameTransforms",
+    "/pose": "foxglove.PoseInFrame",
+    "/path/planned": "foxglove.PosesInFrame",
+    "/path/track": "foxglove.PosesInFrame",
+    "/scene": "foxglove.SceneUpdate",
+    "/log": "foxglove.Log",
+}
+
+
+def test_each_topic_has_foxgloves_own_message(shown: dict[str, list[Any]]) -> None:
+    """Foxglove and Lichtblick show a topic by the name of its message."""
+    found = {topic: messages[0].DESCRIPTOR.full_name for topic, messages in shown.items() if topic[0] == "/"}
+    assert found == FOXGLOVE
+
+
+class Broken(Foxglove):
+    """A view that fails."""
+
+    def see(self, message: Any) -> Any:
+        raise ValueError("cannot be shown")
+
+
+def test_a_view_that_fails_ends_and_the_record_goes_on(tmp_path: Path) -> None:
+    """Protects: a picture must never cost the record, nor another picture."""
+    path, good = tmp_path / "run.mcap", pb.Navigation(stamp=pb.Stamp(time_ns=3)).SerializeToString()
+    log = begin(path, [Broken(), Foxglove()])
+    for at in (4, 5):
+        log.write("tlm/navigation", "bumpless.Navigation", good, at)
+    log.finish("complete", "")
+    with path.open("rb") as file:
+        topics = [channel.topic for _, channel, _ in make_reader(file).iter_messages()]
+    assert topics.count("tlm/navigation") == topics.count("/pose") == 2
+
+
+def test_broken_payloads_are_kept_and_show_nothing(tmp_path: Path) -> None:
+    """What cannot be decoded is still evidence; the views skip it and go on."""
+    path = tmp_path / "broken.mcap"
+    good = pb.Navigation(stamp=pb.Stamp(time_ns=3)).SerializeToString()
+    log = begin(path, [Foxglove()])
+    log.write("tlm/navigation", "bumpless.Navigation", b"\xff\xff", 2)
+    log.write("tlm/navigation", "bumpless.Navigation", good, 4)
+    log.finish("complete", "")
+    with path.open("rb") as file:
+        topics = [channel.topic for _, channel, _ in make_reader(file).iter_messages()]
+    assert topics.count("tlm/navigation") == 2
+    assert topics.count("/pose") == 1
+
+
 def test_the_pose_is_the_navigation(flight: Flight, shown: dict[str, list[Any]]) -> None:
     """Position and attitude of each cycle, against SciPy's own Euler angles."""
     for row, pose in zip(flight.result.log[::50], shown["/pose"][::50], strict=True):
@@ -49,7 +97,7 @@ def test_the_pose_is_the_navigation(flight: Flight, shown: dict[str, list[Any]])
 def test_ned_hangs_upside_down_in_a_world_whose_z_is_up() -> None:
     """Viewers expect z up: north becomes y, east x, and down -z."""
     message = pb.Navigation(stamp=pb.Stamp(time_ns=1))
-    tf = dict(Views().see("tlm/navigation", "bumpless.Navigation", message.SerializeToString()))["/tf"]
+    tf = dict(Foxglove().see(message))["/tf"]
     world = next(t for t in tf.transforms if t.child_frame_id == "ned")  # type: ignore[attr-defined]
     assert world.parent_frame_id == "map"
     np.testing.assert_allclose(rotation(world.rotation).apply([1, 2, 3]), [2, 1, -3], atol=1e-12)
@@ -59,10 +107,10 @@ def test_the_track_grows_and_stays_bounded(shown: dict[str, list[Any]]) -> None:
     """The whole way so far, thinned out instead of growing without end."""
     lengths = [len(path.poses) for path in shown["/path/track"]]
     assert lengths == sorted(lengths)
-    views, longest = Views(), 0
+    views, longest = Foxglove(), 0
     for second in range(3000):
         message = pb.Navigation(stamp=pb.Stamp(time_ns=second * 1_000_000_000 + 1))
-        for topic, view in views.see("tlm/navigation", "bumpless.Navigation", message.SerializeToString()):
+        for topic, view in views.see(message):
             longest = max(longest, len(view.poses)) if topic == "/path/track" else longest  # type: ignore[attr-defined]
     assert 200 <= longest <= 401
 
@@ -75,7 +123,7 @@ def test_events_are_log_lines(shown: dict[str, list[Any]]) -> None:
 
 def test_arrows_point_along_the_wrench() -> None:
     """Drawn from O_b along the force, METRES_PER_UNIT for each newton."""
-    scene = SceneViews()
+    scene = FoxgloveScene()
     for i, force in enumerate(([3.0, 0, 0], [-2.0, 0, 0], [0, 0, 1.5], [1.0, -1.0, 0.5])):
         wrench = pb.Wrench(x_n=force[0], y_n=force[1], z_n=force[2])
         control = pb.Control(stamp=pb.Stamp(time_ns=(i + 1) * 1_000_000_000), demanded=wrench)

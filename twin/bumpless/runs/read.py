@@ -3,10 +3,11 @@
 import struct
 from collections.abc import Container, Iterator
 from pathlib import Path
+from typing import BinaryIO
 
 import zstandard
 from mcap.exceptions import McapError
-from mcap.records import Channel, Message
+from mcap.records import Channel, McapRecord, Message
 from mcap.stream_reader import CRCValidationError, StreamReader
 
 # what reading past the place where a file was cut can raise
@@ -20,11 +21,7 @@ def log_messages(path: Path, topics: Container[str]) -> Iterator[tuple[str, Mess
     """
     wanted: dict[int, str] = {}
     with path.open("rb") as file:
-        records = iter(StreamReader(file, record_size_limit=path.stat().st_size).records)
-        try:
-            next(records)  # the header
-        except (StopIteration, *CUT) as error:
-            raise ValueError(f"not an MCAP file: {error}") from error
+        records = _after_header(file, path.stat().st_size)
         while True:
             try:
                 record = next(records)
@@ -34,3 +31,18 @@ def log_messages(path: Path, topics: Container[str]) -> Iterator[tuple[str, Mess
                 wanted[record.id] = record.topic
             elif isinstance(record, Message) and record.channel_id in wanted:
                 yield wanted[record.channel_id], record
+
+
+def check_log(path: Path) -> None:
+    """Raise ValueError when not even the beginning of an MCAP file is there."""
+    with path.open("rb") as file:
+        _after_header(file, path.stat().st_size)
+
+
+def _after_header(file: BinaryIO, size: int) -> Iterator[McapRecord]:
+    records = iter(StreamReader(file, record_size_limit=size).records)
+    try:
+        next(records)
+    except (StopIteration, *CUT) as error:
+        raise ValueError(f"not an MCAP file: {error}") from error
+    return records

@@ -1,6 +1,6 @@
 """Whether this process can compute attainable sets without a pause.
 
-Their first computation loads or compiles code for seconds. The recorder must not wait for that, or a
+Their first computation loads or compiles code for seconds. A recorder must not wait for that, or a
 server killed meanwhile would lose more than its last second: it asks here and leaves them out till then.
 """
 

@@ -5,13 +5,10 @@ from typing import Any
 
 import pytest
 
+from bumpless import NoFigures, open_run
 from bumpless.contract import bumpless_pb2 as pb
-from bumpless.metrics import Run, as_dict, metrics_of
-from bumpless_server.runs.run_data import read_run
-from bumpless_server.runs.run_metrics import metrics_of_file
-from bumpless_server.runs.writer import LogWriter
-
-from .conftest import Flight
+from bumpless.metrics import Columns, as_dict, metrics_of
+from tests.runs.flights import Flight, begin, record
 
 
 def same(one: Any, other: Any, path: str = "") -> None:
@@ -33,17 +30,17 @@ def same(one: Any, other: Any, path: str = "") -> None:
 def test_metrics_from_the_file_are_the_simulations(flight: Flight) -> None:
     """One definition, two ways to the numbers: memory, and the bus's messages on a disk."""
     result = flight.result
-    direct = metrics_of(Run.from_log(result.log, len(result.vehicle.actuators)), result.vehicle, "run-1")
-    stored = metrics_of_file(flight.path, "run-1")
-    assert stored is not None
+    columns = Columns.from_log(result.log, len(result.vehicle.actuators))
+    direct = metrics_of(columns, result.vehicle, flight.run.info.run_id)
+    stored = open_run(flight.path).metrics
     assert direct.cycles == len(result.log)
     same(as_dict(direct), as_dict(stored))
+    assert flight.run.metrics == stored
 
 
 def test_the_flight_obeys_proposition_1(flight: Flight) -> None:
     """No increment beyond its bound and no step of the demand, in a flight through all three modes."""
-    metrics = metrics_of_file(flight.path, "")
-    assert metrics is not None
+    metrics = open_run(flight.path).metrics
     assert [(s.from_mode, s.to_mode) for s in metrics.switches] == [(1, 2), (2, 3)]
     assert metrics.increment_violations == 0
     assert metrics.demand_step_violations == 0
@@ -52,30 +49,22 @@ def test_the_flight_obeys_proposition_1(flight: Flight) -> None:
 def test_without_truth_only_its_figure_is_missing(flight: Flight, tmp_path: Path) -> None:
     """A real vehicle's log has no truth/state."""
     path = tmp_path / "real.mcap"
-    with LogWriter(path, {}, views=False) as log:
-        for time_ns, topic, schema, payload in flight.bus:
-            if topic != "truth/state":
-                log.write(topic, schema, payload, time_ns, time_ns)
-    found, full = metrics_of_file(path, ""), metrics_of_file(flight.path, "")
-    assert found is not None
-    assert full is not None
+    record(path, [told for told in flight.bus if told[1] != "truth/state"])
+    found, full = open_run(path).metrics, open_run(flight.path).metrics
     assert as_dict(found)["residual_rms_true"] is None
     found.residual_rms_true = full.residual_rms_true
     assert found == full
 
 
+def is_lost(topic: str, payload: bytes) -> bool:
+    return topic == "tlm/control" and pb.Control.FromString(payload).stamp.cycle in (100, 101, 500)
+
+
 def test_cycles_with_a_lost_message_are_missing_cycles(flight: Flight, tmp_path: Path) -> None:
     """A dropped message costs its cycle, not the run."""
     path = tmp_path / "lossy.mcap"
-    with LogWriter(path, {}, views=False) as log:
-        for i, (time_ns, topic, schema, payload) in enumerate(flight.bus):
-            if topic == "tlm/control" and pb.Control.FromString(payload).stamp.cycle in (100, 101, 500):
-                continue
-            log.write(topic, schema, payload, time_ns, time_ns)
-            if i == 3000:
-                log.flush()
-    metrics = metrics_of_file(path, "")
-    assert metrics is not None
+    record(path, [told for told in flight.bus if not is_lost(told[1], told[3])], flush_every=3000)
+    metrics = open_run(path).metrics
     assert metrics.missing_cycles == 3
     assert metrics.cycles == len(flight.result.log) - 3
 
@@ -95,14 +84,12 @@ def test_every_cycle_says_what_the_checks_need(flight: Flight) -> None:
 
 def test_the_vehicle_comes_from_the_file(flight: Flight) -> None:
     """No vehicle folder is needed to read a log of another machine."""
-    data = read_run(flight.path)
-    assert data.vehicle is not None
-    assert data.vehicle.sha256 == flight.result.vehicle.sha256
+    assert open_run(flight.path).vehicle == flight.result.vehicle
 
 
 def test_a_log_without_a_mission_has_no_metrics(tmp_path: Path) -> None:
     """Nothing to measure is no error."""
     path = tmp_path / "idle.mcap"
-    with LogWriter(path, {}):
-        pass
-    assert metrics_of_file(path, "") is None
+    begin(path).finish("complete", "nothing was flown")
+    with pytest.raises(NoFigures):
+        open_run(path).metrics  # noqa: B018

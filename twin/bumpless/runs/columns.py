@@ -1,4 +1,4 @@
-"""A recorded run back as arrays: the bus's messages, joined by control cycle, in SI and radians."""
+"""A recorded run back as columns: the bus's messages, joined by control cycle, in SI and radians."""
 
 from array import array
 from collections.abc import Callable, Iterable
@@ -11,20 +11,22 @@ from google.protobuf.message import DecodeError
 
 from bumpless.config.vehicle import Vehicle, VehicleError, parse_vehicle
 from bumpless.contract import bumpless_pb2 as pb
-from bumpless.contract.keys import TOPICS
-from bumpless.metrics import Run
-from bumpless.metrics.run import EDGE_PER_SI, FLYING
-from bumpless_server.runs.read import log_messages
-
-DESCRIPTION, TRUTH = "tlm/description", "truth/state"
+from bumpless.contract.keys import SAID
+from bumpless.metrics import Columns
+from bumpless.metrics.columns import EDGE_PER_SI, FLYING
+from bumpless.runs.figures import Figures, figures_of, how_ended
+from bumpless.runs.names import DESCRIPTION, MISSION, PLAN, TRUTH
+from bumpless.runs.read import log_messages
 
 
 @dataclass(frozen=True)
-class RunData:
-    """What a file tells about its run. `vehicle` is None when the file holds no usable description."""
+class RecordedColumns:
+    """What the messages of a file tell. `vehicle` is None when it holds no usable description."""
 
-    run: Run
+    columns: Columns
     vehicle: Vehicle | None
+    status: pb.MissionStatus  # the last; empty when there is none
+    plan: pb.Plan  # the last; empty when there is none
 
 
 class _Column:
@@ -45,25 +47,41 @@ class _Column:
         return unique, values[first]
 
 
-def read_run(path: Path) -> RunData:
+def read_columns(path: Path) -> RecordedColumns:
     """Read a log, whole or cut. A cycle that lacks one of its messages is left out."""
     columns = {topic: _Column() for topic in _NUMBERS}
-    makers = {f"tlm/{name}": topic.message for name, topic in TOPICS.items()} | {TRUTH: pb.TruthState}
     vehicle: Vehicle | None = None
-    wanted = {DESCRIPTION, *_NUMBERS}
+    status, plan = pb.MissionStatus(), pb.Plan()
+    wanted = {DESCRIPTION, MISSION, PLAN, *_NUMBERS}
     for topic, record in log_messages(path, wanted):
         if topic == DESCRIPTION and vehicle is not None:
             continue
-        message: Any = makers[topic]()
+        message: Any = SAID[topic]()
         try:
             message.ParseFromString(record.data)
         except DecodeError:
             continue
         if topic == DESCRIPTION:
             vehicle = _vehicle(message)
+        elif topic == MISSION:
+            status = message
+        elif topic == PLAN:
+            plan = message
         else:
             columns[topic].add(message.stamp.cycle, _NUMBERS[topic](message))
-    return RunData(_joined(columns), vehicle)
+    return RecordedColumns(_joined(columns), vehicle, status, plan)
+
+
+def figures_of_file(path: Path, run_id: str, state: str, phase: int) -> Figures | None:
+    """Figures of a log, also of one that is still being written (flush it first) or was cut.
+
+    `state` and `phase` are the run's last. None when the file holds no cycle of a mission or no usable
+    vehicle description. Raises ValueError when it is not MCAP.
+    """
+    data = read_columns(path)
+    if data.vehicle is None or len(data.columns) == 0:
+        return None
+    return figures_of(data.columns, data.vehicle, run_id, how_ended(state, phase))
 
 
 def _vehicle(message: pb.VehicleDescription) -> Vehicle | None:
@@ -73,7 +91,7 @@ def _vehicle(message: pb.VehicleDescription) -> Vehicle | None:
         return None
 
 
-def _joined(columns: dict[str, _Column]) -> Run:
+def _joined(columns: dict[str, _Column]) -> Columns:
     tables = {topic: column.table() for topic, column in columns.items()}
     truth_cycles, truth = tables.pop(TRUTH)
     cycle = tables["tlm/supervisor"][0]
@@ -85,13 +103,13 @@ def _joined(columns: dict[str, _Column]) -> Run:
     rows = {topic: values[flying] if len(cycle) else np.empty((0, 80)) for topic, values in rows.items()}
     supervisor, navigation = rows["tlm/supervisor"], rows["tlm/navigation"]
     control, allocation = rows["tlm/control"], rows["tlm/allocation"]
-    actuators = rows["tlm/actuators"]
+    actuators, target = rows["tlm/actuators"], rows["tlm/target"]
     n_u = actuators.shape[1] // 2
-    tau = np.full((len(cycle), 6), np.nan)
+    known = np.full((len(cycle), 21), np.nan)  # truth: wrench, pose, velocity, target
     _, here, there = np.intersect1d(cycle, truth_cycles, assume_unique=True, return_indices=True)
     if len(here):
-        tau[here] = truth[there]
-    return Run(
+        known[here] = truth[there]
+    return Columns(
         time=supervisor[:, 1],
         cycle=cycle,
         mode=supervisor[:, 2].astype(np.int64),
@@ -104,7 +122,12 @@ def _joined(columns: dict[str, _Column]) -> Run:
         tau_plus=control[:, 6:12],
         tau_c=control[:, 12:18],
         tau_minus=control[:, 18:24],
-        tau=tau,
+        tau=known[:, :6],
+        observation_point=target[:, 4:7],
+        target=target[:, :4],
+        eta=known[:, 6:12],
+        nu=known[:, 12:18],
+        target_true=known[:, 18:21],
         u=actuators[:, :n_u],
         du_max=actuators[:, n_u : 2 * n_u],
         status=allocation[:, 0].astype(np.int64),
@@ -117,10 +140,25 @@ def _supervisor(m: pb.Supervisor) -> tuple[float, ...]:
 
 
 def _navigation(m: pb.Navigation) -> list[float]:
+    return [m.depth_m, *_motion(m)]
+
+
+def _motion(m: pb.Navigation | pb.TruthState) -> list[float]:
+    """Pose and velocity, 6 each."""
     at, v = m.position_ned_m, m.velocity_body_mps
     a, w = m.attitude, m.angular_rate_body_degps
     degrees = np.radians([a.roll_deg, a.pitch_deg, a.yaw_deg, w.x, w.y, w.z]).tolist()
-    return [m.depth_m, at.x, at.y, at.z, *degrees[:3], v.x, v.y, v.z, *degrees[3:]]
+    return [at.x, at.y, at.z, *degrees[:3], v.x, v.y, v.z, *degrees[3:]]
+
+
+def _target(m: pb.Target) -> list[float]:
+    at, point = m.position_ned_m, m.observation_point_ned_m
+    return [at.x, at.y, at.z, float(np.radians(m.heading_deg)), point.x, point.y, point.z]
+
+
+def _truth(m: pb.TruthState) -> list[float]:
+    at = m.target_position_ned_m
+    return [*_wrench(m.actuator_wrench), *_motion(m), at.x, at.y, at.z]
 
 
 def _control(m: pb.Control) -> list[float]:
@@ -146,5 +184,6 @@ _NUMBERS: dict[str, Callable[[Any], Iterable[float]]] = {
     "tlm/control": _control,
     "tlm/actuators": _actuators,
     "tlm/allocation": _allocation,
-    TRUTH: lambda m: _wrench(m.actuator_wrench),
+    "tlm/target": _target,
+    TRUTH: _truth,
 }

@@ -5,13 +5,13 @@ one newton, and one newton metre, is drawn as 0.2 m.
 """
 
 from collections.abc import Callable, Iterator
+from math import isfinite
 from typing import Any
 
 import numpy as np
 from foxglove_schemas_protobuf.ArrowPrimitive_pb2 import ArrowPrimitive
 from foxglove_schemas_protobuf.Color_pb2 import Color
 from foxglove_schemas_protobuf.CubePrimitive_pb2 import CubePrimitive
-from foxglove_schemas_protobuf.Point3_pb2 import Point3
 from foxglove_schemas_protobuf.SceneEntity_pb2 import SceneEntity
 from foxglove_schemas_protobuf.SceneUpdate_pb2 import SceneUpdate
 from foxglove_schemas_protobuf.TriangleListPrimitive_pb2 import TriangleListPrimitive
@@ -25,6 +25,12 @@ ARROW_PERIOD_NS = 200_000_000
 ENVELOPE_PERIOD_NS = 2_000_000_000
 ENVELOPE_DIRECTIONS = 200
 METRES_PER_UNIT = 0.2
+_POINT_TAG = TriangleListPrimitive.DESCRIPTOR.fields_by_name["points"].number << 3 | 2
+_POINT_TAGS = {"tag": _POINT_TAG, "length": 27, "tag_x": 0x09, "tag_y": 0x11, "tag_z": 0x19}
+_POINT_WIRE = np.dtype(
+    [("tag", "u1"), ("length", "u1")]
+    + [pair for axis in "xyz" for pair in ((f"tag_{axis}", "u1"), (axis, "<f8"))]
+)
 _WANTED = ("bumpless.VehicleDescription", "bumpless.Navigation", "bumpless.Control", "bumpless.Target")
 _ROLES = {
     "hull": palette.HULL,
@@ -35,7 +41,7 @@ _ROLES = {
 }
 
 
-class SceneViews:
+class FoxgloveScene:
     """Fed with the bus's messages; answers with updates of `/scene`.
 
     `ready` says whether the attainable sets may be computed now: their first computation compiles.
@@ -119,8 +125,17 @@ def _envelopes(record: Any, surge_speed_mps: float) -> list[SceneEntity]:
 def _triangles(vertices: Any, faces: Any, colour: Color) -> TriangleListPrimitive:
     made = TriangleListPrimitive(color=colour, indices=[int(i) for i in np.asarray(faces).ravel()])
     made.pose.orientation.w = 1.0
-    made.points.extend(Point3(x=float(x), y=float(y), z=float(z)) for x, y, z in np.asarray(vertices))
+    made.MergeFromString(_points(np.asarray(vertices, float)))
     return made
+
+
+def _points(vertices: np.ndarray) -> bytes:
+    """Protobuf's bytes of `points` for (n, 3) vertices: thousands at once take long to be made one by one."""
+    wire = np.zeros(len(vertices), _POINT_WIRE)
+    for name, byte in _POINT_TAGS.items():
+        wire[name] = byte
+    wire["x"], wire["y"], wire["z"] = vertices.T
+    return wire.tobytes()
 
 
 def _arrows(name: str, wrench: pb.Wrench, rgb: palette.Rgb) -> SceneEntity:
@@ -133,7 +148,7 @@ def _arrows(name: str, wrench: pb.Wrench, rgb: palette.Rgb) -> SceneEntity:
 
 def _arrow(vector: tuple[float, float, float], width: float, rgb: palette.Rgb) -> ArrowPrimitive:
     """An arrow from O_b; Foxglove's point along +x, so it is turned from there."""
-    v = np.nan_to_num(np.asarray(vector))
+    v = np.array([component if isfinite(component) else 0.0 for component in vector])
     length = float(np.linalg.norm(v))
     made = ArrowPrimitive(
         shaft_length=0.8 * METRES_PER_UNIT * length,

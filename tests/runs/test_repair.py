@@ -8,10 +8,10 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from mcap.reader import make_reader
 
-from bumpless_server.runs.read import log_messages
-from bumpless_server.runs.writer import LogWriter, repair
-
-from .conftest import FLUSH_EVERY, Flight
+from bumpless.runs.names import record_kind
+from bumpless.runs.read import log_messages
+from bumpless.runs.repair import repair
+from tests.runs.flights import FLUSH_EVERY, Flight, begin
 
 
 def bus_of(path: Path) -> list[tuple[int, str, bytes]]:
@@ -43,18 +43,18 @@ def test_what_was_flushed_survives_a_cut_anywhere(flight: Flight, tmp_path: Path
 def test_a_killed_writer_loses_no_more_than_its_last_second(flight: Flight, tmp_path: Path) -> None:
     """The file as it lies on the disk between two flushes: everything up to the last one is there."""
     path = tmp_path / "killed.mcap"
-    writer = LogWriter(tmp_path / "live.mcap", {"run_id": "x"})
+    writer = begin(tmp_path / "live.mcap")
     for i, (time_ns, topic, schema, payload) in enumerate(flight.bus[:1000]):
-        writer.write(topic, schema, payload, time_ns, time_ns)
+        writer.write(topic, schema, payload, time_ns)
         if i % FLUSH_EVERY == 0:
             writer.flush()
             flushed = i + 1
     shutil.copy(tmp_path / "live.mcap", path)
-    writer.close()
+    writer.abandon()
     repair(path)
     assert len(bus_of(path)) >= flushed > 900
     with path.open("rb") as file:
-        assert [record.name for record in make_reader(file).iter_metadata()] == ["run"]
+        assert [record.name for record in make_reader(file).iter_metadata()] == ["bumpless.run/live"]
 
 
 def test_a_whole_file_stays_the_same_run(flight: Flight, tmp_path: Path) -> None:
@@ -62,10 +62,10 @@ def test_a_whole_file_stays_the_same_run(flight: Flight, tmp_path: Path) -> None
     path = tmp_path / "whole.mcap"
     shutil.copy(flight.path, path)
     saved = repair(path)
-    assert saved.attachments == 1
+    assert saved.attachments == 4
     assert bus_of(path) == [(t, topic, payload) for t, topic, _, payload in flight.bus]
     with path.open("rb") as file:
-        assert {record.name for record in make_reader(file).iter_metadata()} == {"run", "end"}
+        assert {record_kind(r.name) for r in make_reader(file).iter_metadata()} == {"run", "end"}
 
 
 @pytest.mark.parametrize("data", [b"", b"\x89MCAP0", b"no log at all" * 10])
@@ -83,11 +83,11 @@ def test_what_is_no_log_is_left_alone(tmp_path: Path, data: bytes) -> None:
 
 def test_a_file_still_being_written_can_be_read(flight: Flight, tmp_path: Path) -> None:
     """Metrics are taken before the end is written: the reader stops where the file does."""
-    with LogWriter(tmp_path / "open.mcap", {}, views=False) as log:
-        for time_ns, topic, schema, payload in flight.bus[:500]:
-            log.write(topic, schema, payload, time_ns, time_ns)
-        log.flush()
-        found = [
-            m.data for _, m in log_messages(tmp_path / "open.mcap", {topic for _, topic, _, _ in flight.bus})
-        ]
+    log = begin(tmp_path / "open.mcap")
+    for time_ns, topic, schema, payload in flight.bus[:500]:
+        log.write(topic, schema, payload, time_ns)
+    log.flush()
+    topics = {topic for _, topic, _, _ in flight.bus}
+    found = [m.data for _, m in log_messages(tmp_path / "open.mcap", topics)]
+    log.abandon()
     assert found == [payload for _, _, _, payload in flight.bus[:500]]

@@ -1,24 +1,22 @@
 """Logs hold the bus's own bytes and open in readers that know nothing of Bumpless."""
 
+import hashlib
+import json
 from pathlib import Path
 
+import pytest
 from google.protobuf import descriptor_pb2
 from mcap.reader import make_reader
 from mcap_protobuf.decoder import DecoderFactory
 
 from bumpless.contract import bumpless_pb2 as pb
-from bumpless_server.runs.writer import LogWriter
-
-from .conftest import Flight
-
-FOXGLOVE = {
-    "/tf": "foxglove.FrameTransforms",
-    "/pose": "foxglove.PoseInFrame",
-    "/path/planned": "foxglove.PosesInFrame",
-    "/path/track": "foxglove.PosesInFrame",
-    "/scene": "foxglove.SceneUpdate",
-    "/log": "foxglove.Log",
-}
+from bumpless.contract.names import BadName
+from bumpless.metrics import as_dict
+from bumpless.runs.mcap_file import McapFile
+from bumpless.runs.names import record_kind
+from bumpless.runs.summary import summarise
+from bumpless.runs.writer import RunWriter
+from tests.runs.flights import Flight, begin
 
 
 def test_the_bus_is_kept_byte_by_byte(flight: Flight) -> None:
@@ -67,40 +65,65 @@ def test_an_independent_decoder_reads_every_message(flight: Flight) -> None:
             assert message.DESCRIPTOR.full_name == schema.name
             counts[channel.topic] = counts.get(channel.topic, 0) + 1
     assert counts["tlm/control"] == len(flight.result.log)
-    assert set(FOXGLOVE) <= set(counts)
 
 
 def test_metadata_and_attachments_come_back(flight: Flight) -> None:
-    """Hashes and the mission itself travel with the log."""
+    """What identifies a run, its end and the files it was made from travel with it; hashes are theirs."""
     with flight.path.open("rb") as file:
         reader = make_reader(file)
-        metadata = {record.name: record.metadata for record in reader.iter_metadata()}
+        metadata = {record_kind(record.name): record.metadata for record in reader.iter_metadata()}
         attached = {a.name: a.data for a in reader.iter_attachments()}
-    assert metadata["run"]["mission_sha256"] == flight.result.mission.sha256
-    assert metadata["end"] == {"state": "complete"}
-    assert attached["docking.yaml"].decode() == flight.result.mission.text
+    run, end = metadata["run"], metadata["end"]
+    assert run == flight.run.info.record()
+    assert (end["state"], end["outcome"]) == ("complete", str(flight.run.outcome.ending))
+    for name, sha256 in (
+        ("docking.yaml", run["mission_sha256"]),
+        ("ts100.toml", run["vehicle_sha256"]),
+        ("parameters.json", run["parameters_sha256"]),
+    ):
+        assert hashlib.sha256(attached[name]).hexdigest() == sha256
+    assert json.loads(attached["metrics.json"]) == as_dict(flight.run.metrics)
+
+
+def test_no_two_runs_share_a_metadata_name(tmp_path: Path) -> None:
+    """Protects: the official merge tool refuses two logs with one metadata name and different content."""
+    names = []
+    for run in ("run-1", "run-2"):
+        path = tmp_path / f"{run}.mcap"
+        begin(path, run=run).finish("complete", "")
+        with path.open("rb") as file:
+            names += [record.name for record in make_reader(file).iter_metadata()]
+    assert len(names) == len(set(names)) == 4
+
+
+@pytest.mark.parametrize("run", ["../../x", "/tmp/x", "", "a" * 129, "x\0y", "x."])
+def test_a_run_id_is_never_a_path(tmp_path: Path, run: str) -> None:
+    """Protects: what a vehicle calls its run becomes a file's name; nothing is written for a bad one."""
+    with pytest.raises(BadName, match="run id"):
+        RunWriter(tmp_path / "run.mcap", pb.MissionStatus(run_id=run), run or None)
+    assert not list(tmp_path.iterdir())
+
+
+def test_logs_of_the_first_format_are_still_read(tmp_path: Path) -> None:
+    """Protects: older recordings, whose records were named "run" and "end"."""
+    path = tmp_path / "old.mcap"
+    file = McapFile(path)
+    file.metadata("run", {"run_id": "r", "mission": "docking", "started_ns": "7", "server_version": "0"})
+    file.metadata("end", {"state": "complete", "reason": "done"})
+    file.close()
+    found = summarise(path)
+    assert (found.run_id, found.mission, found.started_ns) == ("r", "docking", 7)
+    assert (found.state, found.end_reason) == ("complete", "done")
 
 
 def test_messages_of_an_unknown_kind_are_kept(tmp_path: Path) -> None:
     """A newer vehicle may say more than this server knows: the bytes and the name are kept."""
     path = tmp_path / "new.mcap"
-    with LogWriter(path, {}) as log:
-        log.write("tlm/sonar", "bumpless.Sonar", b"\x00\x01", 2, 1)
+    log = begin(path)
+    log.write("tlm/sonar", "bumpless.Sonar", b"\x00\x01", 2)
+    log.finish("complete", "")
     with path.open("rb") as file:
         ((schema, channel, message),) = list(make_reader(file).iter_messages())
     assert schema is None
     assert channel.metadata["encoding"] == "application/protobuf;bumpless.Sonar"
     assert message.data == b"\x00\x01"
-
-
-def test_broken_payloads_are_kept_and_show_nothing(tmp_path: Path) -> None:
-    """What cannot be decoded is still evidence; the views skip it and go on."""
-    path = tmp_path / "broken.mcap"
-    good = pb.Navigation(stamp=pb.Stamp(time_ns=3)).SerializeToString()
-    with LogWriter(path, {}) as log:
-        log.write("tlm/navigation", "bumpless.Navigation", b"\xff\xff", 2, 1)
-        log.write("tlm/navigation", "bumpless.Navigation", good, 4, 3)
-    with path.open("rb") as file:
-        topics = [channel.topic for _, channel, _ in make_reader(file).iter_messages()]
-    assert topics.count("tlm/navigation") == 2
-    assert topics.count("/pose") == 1
