@@ -25,7 +25,7 @@ run: $(DONE)/compiled console  ## install what is missing, start server and vehi
 test: $(DONE)/compiled $(DONE)/dev console chromium  ## the whole suite, browser included (ARGS="-k docking")
 	@$(BIN)/pytest $(ARGS)
 
-check: check-style check-imports check-types check-results check-figures check-console check-containers check-gen check-leaks  ## lint, types, import rules, generated files, containers, leaks
+check: check-style check-imports check-types check-results check-figures check-console check-containers check-gen check-declared check-leaks  ## lint, types, import rules, generated files, containers, leaks
 
 check-style: $(DONE)/dev
 	$(BIN)/ruff check --quiet .
@@ -55,13 +55,17 @@ check-gen: $(DONE)/dev
 	after=$$(cat $(GENERATED) | cksum) && if [ "$$before" != "$$after" ]; then \
 		echo "The generated files were out of date; they are fresh now: commit them." >&2; exit 1; fi
 
+check-declared: $(DONE)/dev $(DONE)/project
+	@$(PY) -m bumpless.config.generate --check
+
 check-leaks:
 	@! git grep -nIF -e '$(CURDIR)/' -- .
 	@! git grep -nIE -e '(/home|/Users|/root)/[A-Za-z]' -- . ':!Makefile'
 	@! git grep -nIE -e '--(extra-)?index-url|--find-links|--trusted-host|https?://' -- 'requirements*.lock'
 	@! git grep -nI -e '"resolved":' -- '*package-lock.json'
 
-gen: $(DONE)/dev  ## generate the contract's Python and TypeScript code
+gen: $(DONE)/dev $(DONE)/project  ## generate the contract's code, the schemas and the reference pages
+	@$(PY) -m bumpless.config.generate
 	$(PY) -m grpc_tools.protoc -I twin/bumpless/contract --python_out=twin/bumpless/contract --pyi_out=twin/bumpless/contract bumpless.proto
 	PYTHON=$(CURDIR)/$(PY) $(NPM) console_web run gen --silent
 
@@ -137,4 +141,5 @@ $(DONE)/compiled: $(DONE)/project $(TWIN)
 	@touch $@
 
 .PHONY: help run test check check-style check-imports check-types check-console check-containers check-gen \
-	check-leaks check-results check-figures gen results bench bench-live format console chromium lock clean
+	check-declared check-leaks check-results check-figures gen results bench bench-live format console \
+	chromium lock clean

@@ -85,17 +85,12 @@ def run(
 
 def _prepare(path: Path, vehicle: str | None, changes: list[str]) -> "tuple[Mission, Vehicle, Parameters]":
     """The mission, its vehicle and parameters; raises ProblemsError."""
-    from bumpless.config.mission import MissionError, parse_mission
+    from bumpless.config.mission import parse_mission
     from bumpless.config.parameters import ParameterError, check, default_parameters, with_overrides
-    from bumpless.config.problems import Problem
     from bumpless.config.vehicle import load_vehicle
 
     chosen = None if vehicle is None else load_vehicle(vehicle)
-    try:
-        text = path.read_bytes().decode()
-    except UnicodeDecodeError as error:
-        raise MissionError([Problem(str(path), None, None, "", None, "is not UTF-8 text")]) from error
-    mission = parse_mission(text, str(path), chosen, any_vehicle=True)
+    mission = parse_mission(path.read_bytes(), str(path), chosen, any_vehicle=True)
     flown_by = chosen or load_vehicle(mission.vehicle)
     parameters = with_overrides(default_parameters(flown_by), mission.parameters)
     try:

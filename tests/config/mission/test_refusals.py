@@ -44,7 +44,7 @@ def test_a_fault_names_its_place_field_value_and_rule(good: str, ts100: Vehicle)
         (
             ("version: 1", f"version: 1\nparameters: {{hover: {{lambda: {10**400}}}}}"),
             "parameters.hover.lambda",
-            "must be between",
+            "must be a finite number",
         ),
         (("version: 1", 'version: 1\ntitle: "half \\ud800"'), "", "holds half of a character"),
         (("version: 1", "version: 1\nfaults: 3"), "faults", "must be a list"),
@@ -82,7 +82,7 @@ def test_a_fault_names_its_place_field_value_and_rule(good: str, ts100: Vehicle)
         (
             ("version: 1", "version: 1\nparameters: {hover: {q_diagonal: [1, 2]}}"),
             "parameters.hover.q_diagonal",
-            "must have 6 numbers",
+            "must be a list of 6 numbers in 1/N² or 1/(N·m)²: [X, Y, Z, K, M, N]",
         ),
     ],
 )
