@@ -136,3 +136,27 @@ def test_an_unknown_vehicle_is_named(good: str) -> None:
     (problem,) = refused(good.replace("vehicle: ts100", "vehicle: ts9000"))
     assert problem.field == "vehicle"
     assert "ts100" in problem.rule
+
+
+def test_faults_of_fields_and_of_parameters_come_together(good: str, ts100: Vehicle) -> None:
+    """Protects: overrides are checked even when another field of the mission can't be read."""
+    text = good.replace("0.7", "fast") + "parameters: {hover: {lamda: 1, ramp_cycles: 2.5}, supervisor: 3}\n"
+    for vehicle in (ts100, None):
+        assert [p.field for p in refused(text, vehicle)] == [
+            "legs[0].speed_mps",
+            "parameters.hover.lamda",
+            "parameters.hover.ramp_cycles",
+            "parameters.supervisor",
+        ]
+
+
+def test_null_where_a_number_must_stand(good: str, ts100: Vehicle) -> None:
+    """Protects: an empty value is told as such, not as missing."""
+    (problem,) = refused(good.replace("duration_s: 60", "duration_s:"), ts100)
+    assert str(problem) == "bad.yaml:4:1: duration_s = null; must be a number in s"
+
+
+def test_text_that_yaml_takes_for_a_number(good: str, ts100: Vehicle) -> None:
+    """Protects: schema and reader agree that a title of digits needs quotes."""
+    (problem,) = refused(good + "title: 2026\n", ts100)
+    assert problem.rule == "must be a text: put it in quotes"

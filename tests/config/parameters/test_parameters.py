@@ -15,6 +15,8 @@ from bumpless.config.parameters import (
     check,
     default_parameters,
     from_message,
+    live_fields,
+    live_problems,
     to_message,
     with_overrides,
 )
@@ -176,3 +178,38 @@ def test_live_ranges_are_what_the_message_can_carry(defaults: Parameters) -> Non
         if section.name != "bumpless"
     }
     assert {r.path for r in RANGES if r.live} == carried
+
+
+def test_a_message_out_of_range_is_refused_with_every_number(defaults: Parameters) -> None:
+    """Protects: what comes over the bus is held against the same declarations as a file."""
+    message = to_message(defaults)
+    setattr(message.hover, "lambda", -1.0)
+    message.supervisor.range_fr_lower_m = float("nan")
+    message.forward.r_diagonal[2] = 0.0
+    with pytest.raises(ParameterError) as caught:
+        from_message(message, defaults)
+    assert {problem.field for problem in caught.value.problems} == {
+        "hover.lambda",
+        "supervisor.range_fr_lower_m",
+        "forward.r_diagonal[2]",
+    }
+
+
+def test_a_set_from_the_screen_must_be_whole_known_and_live(defaults: Parameters) -> None:
+    """Protects: an absent number would become zero on the bus; what is not live can't be slipped in."""
+    whole = {name: {k: as_dict(defaults)[name][k] for k in keys} for name, keys in live_fields().items()}
+    assert live_problems(whole) == []
+    whole["hover"].pop("lambda")
+    whole["bumpless"].pop("ramp")
+    whole["forward"]["kp"] = [1.0] * 6
+    whole["supervisor"]["dwell_cycles"] = 0.5
+    whole["guidance"] = {}
+    told = {problem.field: problem.rule for problem in live_problems(whole)}
+    assert told == {
+        "guidance": "unknown field; one of forward, reverse, hover, supervisor, bumpless",
+        "forward.kp": "may not change in flight",
+        "hover.lambda": "is missing: λ, price of commands",
+        "supervisor.dwell_cycles": "must be a whole number in cycles",
+        "bumpless.ramp": "is missing",
+    }
+    assert live_problems([])[0].rule == "must be an object of parameters"
