@@ -25,7 +25,7 @@ run: $(DONE)/compiled console  ## install what is missing, start server and vehi
 test: $(DONE)/compiled $(DONE)/dev console chromium  ## the whole suite, browser included (ARGS="-k docking")
 	@$(BIN)/pytest $(ARGS)
 
-CHECKS := check-types check-console check-style check-imports check-results check-figures check-containers check-gen check-docs check-leaks
+CHECKS := check-types check-console check-style check-imports check-results check-figures check-containers check-gen check-docs check-declared check-leaks
 CORES := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
 check:  ## lint, types, import rules, generated files, containers, leaks; seconds
 	@$(MAKE) --no-print-directory --output-sync=target -j$(CORES) $(CHECKS)
@@ -68,13 +68,17 @@ check-gen: $(DONE)/dev
 check-docs: $(DONE)/dev $(DONE)/project
 	$(PY) -m docs.generate --check
 
+check-declared: $(DONE)/dev $(DONE)/project
+	@$(PY) -m bumpless.config.generate --check
+
 check-leaks:
 	@! git grep -nIF -e '$(CURDIR)/' -- .
 	@! git grep -nIE -e '(/home|/Users|/root)/[A-Za-z]' -- . ':!Makefile'
 	@! git grep -nIE -e '--(extra-)?index-url|--find-links|--trusted-host|https?://' -- 'requirements*.lock'
 	@! git grep -nI -e '"resolved":' -- '*package-lock.json'
 
-gen: $(DONE)/dev $(DONE)/project gen-code  ## generate the contract's code and the docs' reference pages
+gen: $(DONE)/dev $(DONE)/project gen-code  ## generate the contract's code, the schemas and the reference pages
+	@$(PY) -m bumpless.config.generate
 	@$(PY) -m docs.generate
 
 gen-code: $(DONE)/dev
@@ -161,4 +165,4 @@ $(DONE)/compiled: $(DONE)/project $(TWIN)
 	@touch $@
 
 .PHONY: help run test check check-style check-imports check-types check-test-types check-console check-containers check-gen \
-	check-leaks check-results check-figures check-docs gen gen-code docs release results bench bench-live format console chromium lock clean
+	check-leaks check-results check-figures check-docs check-declared gen gen-code docs release results bench bench-live format console chromium lock clean

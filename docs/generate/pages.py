@@ -2,12 +2,11 @@
 
 from pathlib import Path
 
-from docs.generate import cli, contract, equations, mission, python_face, rest, settings
+from docs.generate import cli, contract, equations, python_face, rest, settings
 
 MADE = {
     "reference/cli.md": cli.page,
     "reference/contract.md": contract.page,
-    "reference/mission.md": mission.page,
     "reference/python.md": python_face.page,
     "reference/rest.md": rest.page,
     "reference/settings.md": settings.page,

@@ -6,9 +6,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from bumpless.config.mission import Mission, MissionError, missions_folder, parse_mission
+from bumpless.config.mission import Mission, missions_folder, parse_mission
 from bumpless.config.parameters import ParameterError, Parameters, check, default_parameters, with_overrides
-from bumpless.config.problems import Problem
 from bumpless.config.vehicle import Vehicle, load_vehicle
 from bumpless.runs.flown import Flown
 from bumpless.runs.run import Run
@@ -26,11 +25,7 @@ def load_mission(source: str | Path, vehicle: Vehicle | None = None) -> Mission:
     path = Path(source)
     if not path.suffix and not path.exists():
         path = missions_folder() / f"{source}.yaml"
-    try:
-        text = path.read_bytes().decode()
-    except UnicodeDecodeError as error:
-        raise MissionError([Problem(str(path), None, None, "", None, "is not UTF-8 text")]) from error
-    mission = parse_mission(text, str(path), vehicle, any_vehicle=vehicle is not None)
+    mission = parse_mission(path.read_bytes(), str(path), vehicle, any_vehicle=vehicle is not None)
     return replace(mission, source=path.name)
 
 
