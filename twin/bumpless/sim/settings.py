@@ -5,36 +5,57 @@ from statistics import NormalDist
 
 import numpy as np
 
-from bumpless import records
 from bumpless.config.mission import Mission
 from bumpless.config.parameters import Parameters
 from bumpless.config.vehicle import Vehicle
+from bumpless.control.allocation.record import MDCA, PID_DIRECT, SPEED_LINEAR, THRUST_LINEAR, WLS
+from bumpless.control.guidance_record import AALOS, ALOS
+from bumpless.control.plan import PLAN
+from bumpless.control.switching import KEEP, RESCALE, RESET
+from bumpless.physics.sensors import SENSORS
 
-ALLOCATORS = {"mdca": records.MDCA, "wls": records.WLS, "pid_direct": records.PID_DIRECT}
-INTEGRALS = {"keep": records.KEEP, "rescale": records.RESCALE, "reset": records.RESET}
-DIRECT_MAPS = {"thrust": records.THRUST_LINEAR, "shaft_speed": records.SPEED_LINEAR}
-LAWS = {"alos": records.ALOS, "aalos_fossen2024": records.AALOS}
+ALLOCATORS = {"mdca": MDCA, "wls": WLS, "pid_direct": PID_DIRECT}
+INTEGRALS = {"keep": KEEP, "rescale": RESCALE, "reset": RESET}
+DIRECT_MAPS = {"thrust": THRUST_LINEAR, "shaft_speed": SPEED_LINEAR}
+LAWS = {"alos": ALOS, "aalos_fossen2024": AALOS}
 
 
-def fill_settings(out: np.ndarray, vehicle: Vehicle, parameters: Parameters) -> None:
-    """Fill a SETTINGS array of one record."""
-    s, sup, bump = out[0], parameters.supervisor, parameters.bumpless
-    guide, alloc = parameters.guidance, parameters.allocation
-    s["dt"] = vehicle.control_period_s
+def fill_settings(out: np.void, vehicle: Vehicle, parameters: Parameters) -> None:
+    """Fill a SETTINGS record, section by section."""
+    out["dt"] = vehicle.control_period_s
+    _supervisor(out["supervisor"], parameters)
+    _bumpless(out["bumpless"], parameters)
+    _allocation(out["allocation"], parameters)
+    _guidance(out["guidance"], parameters)
+    for row, mode in zip(out["modes"], parameters.modes, strict=True):
+        row["Q"], row["lam"], row["n_sw"] = mode.q_diagonal, mode.lambda_, mode.ramp_cycles
+        row["R"][: len(mode.r_diagonal)] = mode.r_diagonal
+        row["K_P"], row["K_I"], row["K_D"] = mode.kp, mode.ki, mode.kd
+        row["increment_share"] = mode.increment_share
+        row["integral_limit"], row["demand_limit"] = mode.integral_limit, mode.demand_limit
+
+
+def _supervisor(s: np.void, parameters: Parameters) -> None:
+    sup = parameters.supervisor
     s["d_rh_l"], s["d_rh_u"] = sup.range_rh_lower_m, sup.range_rh_upper_m
     s["d_fr_l"], s["d_fr_u"] = sup.range_fr_lower_m, sup.range_fr_upper_m
     s["d_hf_u"], s["n_dwell"] = sup.range_hf_upper_m, sup.dwell_cycles
-    s["hits"], s["window"], s["hold"] = (
-        sup.detection_hits,
-        sup.detection_window,
-        sup.detection_hold_cycles,
-    )
+    s["hits"], s["window"] = sup.detection_hits, sup.detection_window
+    s["hold"] = sup.detection_hold_cycles
+
+
+def _bumpless(s: np.void, parameters: Parameters) -> None:
+    bump = parameters.bumpless
     s["ramp"], s["align"], s["project"] = bump.ramp, bump.integrator_alignment, bump.warm_start_projection
     s["align_channels"] = bump.align_channels
     s["align_bleed"], s["scale_integration"] = bump.align_bleed_s, bump.scale_integration
     s["integral_at_switch"] = INTEGRALS[bump.integral_at_switch]
     s["ramp_increment_share"] = bump.ramp_increment_share
     s["ramp_increment_price"] = bump.ramp_increment_price
+
+
+def _allocation(s: np.void, parameters: Parameters) -> None:
+    alloc = parameters.allocation
     s["allocator"] = ALLOCATORS[alloc.allocator]
     s["sqp_iterations"], s["kkt_tolerance"] = alloc.sqp_iterations, alloc.kkt_tolerance
     s["fault_tolerant"], s["anti_windup"] = alloc.fault_tolerant, alloc.anti_windup_per_s
@@ -44,6 +65,10 @@ def fill_settings(out: np.ndarray, vehicle: Vehicle, parameters: Parameters) -> 
     s["degraded_map"], s["priority"], s["slack_price"] = alloc.degraded_map, alloc.priority, alloc.slack_price
     s["fault_gains"] = alloc.fault_kp, alloc.fault_ki, alloc.fault_kd
     s["easing_made_up"] = alloc.easing_made_up
+
+
+def _guidance(s: np.void, parameters: Parameters) -> None:
+    guide = parameters.guidance
     s["law"], s["look_ahead"], s["gamma"] = LAWS[guide.law], guide.look_ahead_m, guide.adaptation_gain
     s["pitch_look_ahead"], s["pitch_gamma"] = guide.pitch_look_ahead_m, guide.pitch_adaptation_gain
     s["pitch_max"], s["speed_min"] = radians(guide.pitch_max_deg), guide.speed_min_mps
@@ -61,24 +86,12 @@ def fill_settings(out: np.ndarray, vehicle: Vehicle, parameters: Parameters) -> 
     s["error_filter"], s["rate_filter"] = guide.error_filter_s, guide.rate_filter_s
 
 
-def mode_controls(parameters: Parameters) -> np.ndarray:
-    """MODE_CONTROL records of the three modes, shape (3,)."""
-    out = np.zeros(records.N_MODES, records.MODE_CONTROL)
-    for row, mode in zip(out, parameters.modes, strict=True):
-        row["Q"], row["lam"], row["n_sw"] = mode.q_diagonal, mode.lambda_, mode.ramp_cycles
-        row["R"][: len(mode.r_diagonal)] = mode.r_diagonal
-        row["K_P"], row["K_I"], row["K_D"] = mode.kp, mode.ki, mode.kd
-        row["increment_share"] = mode.increment_share
-        row["integral_limit"], row["demand_limit"] = mode.integral_limit, mode.demand_limit
-    return out
-
-
 def plan_of(mission: Mission, period_s: float) -> np.ndarray:
     """PLAN record of a mission, shape (1,), but for what `sim.truth.tell` adds: the start and the faults.
 
     Durations become counts of control periods: sums of period_s miss them by rounding.
     """
-    out = np.zeros(1, records.PLAN)
+    out = np.zeros(1, PLAN)
     p = out[0]
     path = mission.path_ned_m
     p["n_legs"] = len(mission.legs)
@@ -101,7 +114,7 @@ def _score(probability: float) -> float:
 
 def sensors_of(vehicle: Vehicle, mission: Mission) -> np.ndarray:
     """SENSORS record of a vehicle with a mission's changes, shape (1,)."""
-    out = np.zeros(1, records.SENSORS)
+    out = np.zeros(1, SENSORS)
     s, v, change = out[0], vehicle.sensors, mission.sensors.detection
     rate = 1.0 / vehicle.control_period_s
     s["roll_pitch_std"], s["heading_std"] = (

@@ -27,9 +27,9 @@ from bumpless.config.vehicle.parts import (
     Thruster,
 )
 from bumpless.config.vehicle.sensors import Camera, DepthSensor, Dvl, Ins, Sensors
+from bumpless.contract.units import WRENCH as WRENCH
 
 FOLDER = Path(__file__).parents[1] / "vehicles"
-WRENCH = ("X", "Y", "Z", "K", "M", "N")
 HULLS = {"myring": MyringHull, "tabulated": TabulatedHull}
 ACTUATORS = {"fin": Fin, "thruster": Thruster}
 SENSORS = {"ins": Ins, "dvl": Dvl, "depth": DepthSensor, "camera": Camera}
