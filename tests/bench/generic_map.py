@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from bumpless.records import FIN
+from bumpless.physics.actuators import FIN
 
 STALL_WIDTH = 0.12
 
@@ -20,7 +20,7 @@ def numpy_operations() -> SimpleNamespace:
                            minimum=np.minimum, maximum=np.maximum, mod=np.mod)  # fmt: skip
 
 
-def parts(model: np.record) -> SimpleNamespace:
+def parts(model: np.void) -> SimpleNamespace:
     """The vehicle's constants per actuator, (n,) or (n, 3), and who is a fin."""
     n = int(model["n_u"])
     names = ("position", "direction", "command_max", "T_nn", "T_nn_reverse", "T_nv", "Q_nn", "Q_nv",

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from bumpless.config.vehicle import Vehicle, load_vehicle
+from bumpless.contract.enums import FORWARD, SOLVED
 from bumpless.metrics import Columns
 
 N_U = 7
@@ -23,11 +24,11 @@ def quiet(n: int, **columns: Any) -> Columns:
     base: dict[str, Any] = {
         "time": 0.05 * np.arange(n),
         "cycle": np.arange(100, 100 + n),
-        "mode": np.zeros(n, np.int64),
+        "mode": np.full(n, FORWARD),
         "kappa": np.ones(n),
         "range": np.linspace(10.0, 1.0, n),
         "depth": np.full(n, 2.0),
-        "status": np.ones(n, np.int64),
+        "status": np.full(n, SOLVED),
         "solve_time": np.full(n, 20e-6),
     }
     base |= {name: np.zeros((n, 6)) for name in ("eta_hat", "nu_hat", "tau_d", "tau_plus", "tau_minus")}

@@ -8,8 +8,9 @@ import pytest
 
 from bumpless.config.vehicle import Vehicle
 from bumpless.contract import bumpless_pb2 as pb
+from bumpless.contract.enums import FORWARD, HOVER, REVERSE
 from bumpless.metrics import Columns, as_dict, metrics_of
-from bumpless.records import FORWARD, HOVER, LOG, REVERSE
+from bumpless.sim.log import LOG
 
 MakeRun = Callable[..., Columns]
 
@@ -68,7 +69,9 @@ def test_mode_figures_are_about_each_stay(make_run: MakeRun, ts100: Vehicle) -> 
     eta[:, 5] = math.pi - 0.001 + 0.002 * (np.arange(n) % 2)
     eta[:, 5] = np.where(eta[:, 5] > math.pi, eta[:, 5] - 2 * math.pi, eta[:, 5])
     hover = next(
-        m for m in metrics_of(make_run(n, mode=mode, depth=depth, eta_hat=eta), ts100).modes if m.mode == 3
+        m
+        for m in metrics_of(make_run(n, mode=mode, depth=depth, eta_hat=eta), ts100).modes
+        if m.mode == HOVER
     )
     assert (hover.samples, hover.duration_s) == (80, pytest.approx(4.0))
     assert hover.depth_rms_m == pytest.approx(math.sqrt((0.1**2 + 0.5**2) / 2))

@@ -6,8 +6,8 @@ from typing import Any
 import numpy as np
 import pytest
 
+from bumpless.contract.enums import FORWARD, HOVER
 from bumpless.metrics import Columns, Ending, outcome_of
-from bumpless.records import FORWARD, HOVER
 
 MakeRun = Callable[..., Columns]
 PERIOD_S = 0.05

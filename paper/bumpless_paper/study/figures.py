@@ -24,11 +24,12 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from bumpless.metrics.columns import EDGE_PER_SI, Columns
+from bumpless.contract.enums import FORWARD, HOVER, REVERSE
+from bumpless.contract.units import EDGE_PER_SI, WRENCH
+from bumpless.metrics.columns import Columns
 from bumpless.metrics.proposition import demand_step_violations, increment_violations
 from bumpless.metrics.summary import AT_BOUND
 from bumpless.metrics.switches import WINDOW_S
-from bumpless.records import FORWARD, HOVER, REVERSE
 from bumpless.sim.twin import Result
 
 LONG_S, SHORT_S = 15.0, 1.0  # the other windows about a switch
@@ -63,7 +64,7 @@ def bounds_of(result: Result) -> Bounds:
         np.array([a.command_max for a in actuators]) / edge,
         edge,
         np.array([a.kind == "fin" for a in actuators]),
-        np.array([name in result.vehicle.controllable for name in "XYZKMN"], float),
+        np.array([name in result.vehicle.controllable for name in WRENCH], float),
     )
 
 

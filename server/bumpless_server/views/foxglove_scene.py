@@ -50,7 +50,7 @@ class FoxgloveScene:
     def __init__(self, ready: Callable[[], bool] = lambda: True) -> None:
         self._ready = ready
         self._description = ""
-        self._record: Any = None  # records.MODEL of the vehicle, for the envelopes
+        self._record: Any = None  # MODEL of the vehicle, for the envelopes
         self._surge_speed = 0.0
         self._arrows_ns = self._envelope_ns = 0
         self._target_drawn = False

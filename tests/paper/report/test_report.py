@@ -115,11 +115,12 @@ class Flight:
         actuators = [type("A", (), {"kind": "fin"})(), type("A", (), {"kind": "thruster"})()]
 
     def __init__(self) -> None:
-        from bumpless.records import LOG
+        from bumpless.contract.enums import FORWARD, REVERSE
+        from bumpless.sim.log import LOG
 
         self.log = np.zeros(800, LOG)
         self.log["time"] = 0.05 * np.arange(800)
-        self.log["mode"] = np.repeat([0, 1], 400)
+        self.log["mode"] = np.repeat([FORWARD, REVERSE], 400)
         self.log["u"][:, 1] = np.where(self.log["time"] < 20.0, 2.0, 1.0)  # rev/s
         self.log["u"][:, 0] = np.radians(5.0) * (self.log["time"] >= 35.0)
 
@@ -213,7 +214,7 @@ def test_figures_are_shown_by_words() -> None:
     assert label("rms_e_tau_all (N, N·m)") == "RMS e_τ, all cycles (N, N·m)"
     assert label("r_sat_all (1)") == "r_sat, all cycles"
     assert label("closest to the point (m)") == "closest to the point (m)"
-    assert coordinate("autopilot.integral[5]") == "integral of heading"
+    assert coordinate("autopilot.pid.integral[5]") == "integral of heading"
     assert coordinate("something else") == "something else"
 
 

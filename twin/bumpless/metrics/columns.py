@@ -1,6 +1,5 @@
 """The columns of a run that its figures are made of."""
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
 from typing import Any, Self
@@ -8,23 +7,25 @@ from typing import Any, Self
 import numpy as np
 import numpy.typing as npt
 
+from bumpless.contract.enums import FLYING
+from bumpless.contract.units import EDGE_PER_SI
+
 Floats = npt.NDArray[np.float64]
 Integers = npt.NDArray[np.int64]
 
-EDGE_PER_SI = {"deg": 180.0 / math.pi, "rpm": 60.0}  # of one radian, of one revolution per second
-FLYING = (0, 2, 3)  # MissionPhase: not said, running, paused
+FLOWN = (0, *FLYING)  # phases whose rows count; 0: not said
 
 
 @dataclass(frozen=True)
 class Columns:
-    """One row per control cycle (n rows, n_u actuators), named and scaled as in `records.LOG`.
+    """One row per control cycle (n rows, n_u actuators), named and scaled as in `sim.log.LOG`.
 
     Only cycles in which the mission ran are kept. Columns of truth are NaN where nobody knew it.
     """
 
     time: Floats  # (n,) s since mission start
     cycle: Integers  # (n,)
-    mode: Integers  # (n,) records.FORWARD, REVERSE, HOVER
+    mode: Integers  # (n,) FORWARD, REVERSE, HOVER
     kappa: Floats  # (n,)
     range: Floats  # (n,) m, to the observation point
     depth: Floats  # (n,) m, measured
@@ -47,8 +48,8 @@ class Columns:
 
     @classmethod
     def from_log(cls, log: npt.NDArray[Any], n_u: int) -> Self:
-        """From an array of records.LOG rows; rows outside the mission are left out."""
-        rows = log[np.isin(log["phase"], FLYING)]
+        """From an array of LOG rows; rows outside the mission are left out."""
+        rows = log[np.isin(log["phase"], FLOWN)]
         columns = {f.name: np.array(rows[f.name]) for f in fields(cls)}
         for name in ("u", "du_max"):
             columns[name] = columns[name][:, :n_u]

@@ -10,11 +10,10 @@ from typing import Any, Literal
 
 import numpy as np
 
+from bumpless.contract.enums import HOVER, MODE_LETTERS
 from bumpless.metrics.columns import Columns, Floats
-from bumpless.records import FORWARD, HOVER, REVERSE
 
 POSITION_M, HEADING_DEG, SPEED_MPS, HOLD_S = 0.15, 5.0, 0.05, 10.0  # what docked means
-LETTERS = {FORWARD: "F", REVERSE: "R", HOVER: "H"}
 
 
 class Ending(StrEnum):
@@ -88,7 +87,7 @@ def outcome_of(columns: Columns, how: How, period_s: float, reason: str = "") ->
         ending=ending,
         reason=text,
         basis=errors.basis,
-        mode=LETTERS[int(columns.mode[-1])],
+        mode=MODE_LETTERS[int(columns.mode[-1])],
         range_m=float(columns.range[-1]),
         position_error_m=float(errors.position[-1]),
         depth_error_m=float(errors.depth[-1]),

@@ -10,7 +10,8 @@ from math import atan, atan2, cos, pi, sin, sqrt
 
 from bumpless.jit import inline, jit
 from bumpless.physics.frames import wrap
-from bumpless.records import FIN
+from bumpless.physics.model_record import FIN as FIN
+from bumpless.physics.model_record import THRUSTER as THRUSTER
 
 STALL_WIDTH = 0.12  # rad over which attached flow gives way to a flat plate's
 

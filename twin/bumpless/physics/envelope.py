@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from bumpless.jit import allocating
 from bumpless.physics.actuators import actuator_wrench
 from bumpless.physics.envelope_hull import Envelope, Hull, direction_sphere, hull_of_points
-from bumpless.records import FIN, THRUSTER
+from bumpless.physics.model_record import FIN, THRUSTER
 
 Array = NDArray[np.float64]
 LEVELS = 41  # samples along an actuator's curve, both bounds and zero among them
@@ -62,7 +62,7 @@ def sampled_sets(
 def select(
     model: np.record, actuators: Sequence[int] | NDArray[np.int64] | None = None, kind: int | None = None
 ) -> NDArray[np.int64]:
-    """Indices of actuators: the given ones or all, of the given kind (records.FIN, THRUSTER) or any."""
+    """Indices of actuators: the given ones or all, of the given kind (FIN, THRUSTER) or any."""
     chosen = np.arange(int(model["n_u"])) if actuators is None else np.asarray(actuators, np.int64)
     return chosen if kind is None else chosen[model["kind"][chosen] == kind]
 

@@ -1,20 +1,21 @@
-"""Vehicle -> records.MODEL: the numbers that compiled code works on, SI, radians and rev/s."""
+"""Vehicle -> MODEL record: the numbers that compiled code works on, SI, radians and rev/s."""
 
 import math
 
 import numpy as np
 from numpy.typing import NDArray
 
-from bumpless.config.vehicle import WRENCH, Vehicle
+from bumpless.config.vehicle import Vehicle
 from bumpless.config.vehicle.parts import Fin, Mass, Thruster
+from bumpless.contract.units import WRENCH
 from bumpless.physics.hydrodynamics import hull_coefficients
-from bumpless.records import FIN, MODEL, THRUSTER
+from bumpless.physics.model_record import FIN, MODEL, THRUSTER
 
 HAND = {"right": -1.0, "left": 1.0, "balanced": 0.0}
 
 
 def build_model(vehicle: Vehicle) -> np.record:
-    """One record of type `records.MODEL`; unused actuator entries are zero."""
+    """One record of type MODEL; unused actuator entries are zero."""
     model = np.zeros(1, MODEL)[0]
     water, mass = vehicle.environment, vehicle.mass
     model["rho"] = water.water_density_kgpm3

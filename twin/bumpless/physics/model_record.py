@@ -1,10 +1,14 @@
-"""The vehicle as compiled code reads it: rigid body, water forces and actuators. See `bumpless.records`."""
+"""The vehicle as compiled code reads it: rigid body, water forces and actuators. One compilation serves every
+vehicle: capacity is fixed (`MAX_ACTUATORS`), unused entries are zero. Order of actuators: the vehicle file's.
+"""
 
 import numpy as np
 
 from bumpless.config.capacity import MAX_ACTUATORS as _n
 
 f8, i8 = np.float64, np.int64
+
+THRUSTER, FIN = 0, 1  # kinds of actuator
 
 MODEL = np.dtype(
     [

@@ -12,8 +12,9 @@ from google.protobuf.message import DecodeError
 from bumpless.config.vehicle import Vehicle, VehicleError, parse_vehicle
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.keys import SAID
+from bumpless.contract.units import EDGE_PER_SI
 from bumpless.metrics import Columns
-from bumpless.metrics.columns import EDGE_PER_SI, FLYING
+from bumpless.metrics.columns import FLOWN
 from bumpless.runs.figures import Figures, figures_of, how_ended
 from bumpless.runs.names import DESCRIPTION, MISSION, PLAN, TRUTH
 from bumpless.runs.read import log_messages
@@ -98,7 +99,7 @@ def _joined(columns: dict[str, _Column]) -> Columns:
     for own, _ in tables.values():
         cycle = np.intersect1d(cycle, own, assume_unique=True)
     rows = {topic: values[np.searchsorted(own, cycle)] for topic, (own, values) in tables.items()}
-    flying = np.isin(rows["tlm/supervisor"][:, 0], FLYING) if len(cycle) else np.zeros(0, bool)
+    flying = np.isin(rows["tlm/supervisor"][:, 0], FLOWN) if len(cycle) else np.zeros(0, bool)
     cycle = cycle[flying]
     rows = {topic: values[flying] if len(cycle) else np.empty((0, 80)) for topic, values in rows.items()}
     supervisor, navigation = rows["tlm/supervisor"], rows["tlm/navigation"]
@@ -136,7 +137,7 @@ def _joined(columns: dict[str, _Column]) -> Columns:
 
 
 def _supervisor(m: pb.Supervisor) -> tuple[float, ...]:
-    return (m.phase, m.stamp.mission_time_s, m.mode - 1, m.kappa, m.range_m)
+    return (m.phase, m.stamp.mission_time_s, m.mode, m.kappa, m.range_m)
 
 
 def _navigation(m: pb.Navigation) -> list[float]:

@@ -6,28 +6,22 @@ from statistics import NormalDist
 
 import numpy as np
 
-from bumpless import records
 from bumpless.config.declare.record import fill_record
 from bumpless.config.mission import Mission
 from bumpless.config.parameters import Parameters
 from bumpless.config.vehicle import Vehicle
 from bumpless.config.vehicle.sensors import Camera
+from bumpless.control.plan import PLAN
+from bumpless.physics.sensors import SENSORS
 
 
-def fill_settings(out: np.ndarray, vehicle: Vehicle, parameters: Parameters) -> None:
-    """Fill a SETTINGS array of one record."""
-    s = out[0]
-    s["dt"] = vehicle.control_period_s
-    for section in (parameters.supervisor, parameters.bumpless, parameters.allocation, parameters.guidance):
-        fill_record(section, s)
-
-
-def mode_controls(parameters: Parameters) -> np.ndarray:
-    """MODE_CONTROL records of the three modes, shape (3,)."""
-    out = np.zeros(records.N_MODES, records.MODE_CONTROL)
+def fill_settings(out: np.void, vehicle: Vehicle, parameters: Parameters) -> None:
+    """Fill a SETTINGS record, section by section."""
+    out["dt"] = vehicle.control_period_s
+    for section in ("supervisor", "bumpless", "allocation", "guidance"):
+        fill_record(getattr(parameters, section), out[section])
     for i, mode in enumerate(parameters.modes):
-        fill_record(mode, out[i])
-    return out
+        fill_record(mode, out["modes"][i])
 
 
 def plan_of(mission: Mission, period_s: float) -> np.ndarray:
@@ -35,7 +29,7 @@ def plan_of(mission: Mission, period_s: float) -> np.ndarray:
 
     Durations become counts of control periods: sums of period_s miss them by rounding.
     """
-    out = np.zeros(1, records.PLAN)
+    out = np.zeros(1, PLAN)
     p = out[0]
     path = mission.path_ned_m
     p["n_legs"] = len(mission.legs)
@@ -58,7 +52,7 @@ def _score(probability: float) -> float:
 
 def sensors_of(vehicle: Vehicle, mission: Mission) -> np.ndarray:
     """SENSORS record of a vehicle with a mission's changes, shape (1,)."""
-    out = np.zeros(1, records.SENSORS)
+    out = np.zeros(1, SENSORS)
     s, v, rate = out[0], vehicle.sensors, 1.0 / vehicle.control_period_s
     camera = _changed(v.camera, mission)
     for part in (v.ins, v.dvl, v.depth, camera):

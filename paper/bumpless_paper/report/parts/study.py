@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from bumpless.config.vehicle import load_vehicle
-from bumpless.records import FIN, THRUSTER
+from bumpless.physics.actuators import FIN, THRUSTER
 from bumpless_paper.report.content import Figure, Part
 from bumpless_paper.report.parts import Progress
 from bumpless_paper.report.parts.flights import (

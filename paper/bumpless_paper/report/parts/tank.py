@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 
 from bumpless.config.mission import shipped_mission
 from bumpless.config.vehicle import load_vehicle
-from bumpless.records import FIN, HOVER, THRUSTER
+from bumpless.contract.enums import HOVER
+from bumpless.physics.actuators import FIN, THRUSTER
 from bumpless.sim.twin import Result, simulate
 from bumpless_paper.report.content import Comparison, Figure, Grid, Part
 from bumpless_paper.report.parts import Progress

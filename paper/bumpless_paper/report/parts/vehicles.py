@@ -2,7 +2,8 @@
 
 from bumpless.config.mission import shipped_mission
 from bumpless.config.vehicle import load_vehicle
-from bumpless.records import FIN, THRUSTER
+from bumpless.contract.enums import MODE_LETTERS
+from bumpless.physics.actuators import FIN, THRUSTER
 from bumpless.sim.twin import simulate
 from bumpless_paper.report.content import Figure, Grid, Part
 from bumpless_paper.report.parts import Progress
@@ -21,8 +22,8 @@ def part(progress: Progress) -> Part:
         vehicle, mission = load_vehicle(name), shipped_mission(flight)
         result = simulate(mission, vehicle)
         m = metrics_of(Columns.from_log(result.log, len(vehicle.actuators)), vehicle)
-        flown = [int(result.log["mode"][0]), *(s.to_mode - 1 for s in m.switches)]
-        modes = "→".join("FRH"[mode] for mode in flown)
+        flown = [int(result.log["mode"][0]), *(s.to_mode for s in m.switches)]
+        modes = "→".join(MODE_LETTERS[mode] for mode in flown)
         rows.append(
             [
                 vehicle.name,

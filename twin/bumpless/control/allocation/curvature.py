@@ -10,11 +10,12 @@ Source: Nocedal and Wright, Numerical Optimization, 2nd ed., eq. (10.5) and sec.
 
 from math import atan2, cos, pi, sin, sqrt
 
+from bumpless.config.capacity import MAX_ACTUATORS
 from bumpless.control.allocation.qp_memory import carray, stack_floats, stack_ints
 from bumpless.jit import jit
 from bumpless.physics.actuators import STALL_WIDTH, add_force, inflow_along
 from bumpless.physics.frames import wrap
-from bumpless.records import FIN, MAX_ACTUATORS
+from bumpless.physics.model_record import FIN
 
 _N = MAX_ACTUATORS
 _NN = _N * _N

@@ -10,7 +10,7 @@ from math import sqrt
 from bumpless.control.allocation.wrench_map import thrust_scale, to_x
 from bumpless.jit import jit
 from bumpless.physics.actuators import add_force
-from bumpless.records import FIN
+from bumpless.physics.model_record import FIN
 
 
 @jit

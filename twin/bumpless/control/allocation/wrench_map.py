@@ -15,7 +15,7 @@ from math import sqrt
 
 from bumpless.jit import inline, jit
 from bumpless.physics.actuators import add_force, bollard_thrust, fin_force, inflow_along, shaft_speed
-from bumpless.records import FIN
+from bumpless.physics.model_record import FIN
 
 
 @inline
