@@ -55,7 +55,7 @@ class RunWriter:
         names.record_name(names.RUN_RECORD, self.id)  # a bad id is refused before there is a file
         self._file = McapFile(path, durable)
         try:
-            self._file.flush()
+            self._flush()
         except BaseException:
             self.abandon()
             raise
@@ -84,8 +84,7 @@ class RunWriter:
         """Bring what was written to the disk; a killed process loses nothing older."""
         if self._held is not None:
             self._open()
-        self._file.flush()
-        self.flushed_bytes = self.path.stat().st_size
+        self._flush()
 
     def finish(self, state: str, reason: str, dropped: int = 0, figures: Figures | None = None) -> None:
         """Write the figures (computed from the file when None) and the end, and close the file."""
@@ -115,6 +114,10 @@ class RunWriter:
             self._file.close()
         if self._held is not None:
             self.path.unlink(missing_ok=True)
+
+    def _flush(self) -> None:
+        self._file.flush()
+        self.flushed_bytes = self.path.stat().st_size
 
     def _open(self) -> None:
         held, self._held = self._held or [], None
