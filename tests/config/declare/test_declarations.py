@@ -142,7 +142,7 @@ def test_sections_fill_records_of_their_own() -> None:
         out = np.zeros(1, section_dtype(name))
         fill_record(getattr(parameters, name), out[0])
         assert out[0].tobytes().strip(b"\0")
-    assert section_dtype("supervisor").names[:6] == (
+    assert (section_dtype("supervisor").names or ())[:6] == (
         "d_rh_l",
         "d_rh_u",
         "d_fr_l",
