@@ -14,7 +14,7 @@ from bumpless_server.web import errors
 from bumpless_server.web.auth import Auth, session_cookie
 from bumpless_server.web.body_limit import BodyLimit
 from bumpless_server.web.guard import Guard
-from bumpless_server.web.routes import help, missions, page, parameters, runs, status, stream
+from bumpless_server.web.routes import declared, help, missions, page, parameters, runs, status, stream
 
 log = logging.getLogger(__name__)
 
@@ -40,7 +40,7 @@ def create_app(settings: Settings, console: Console | None = None) -> FastAPI:
     app.add_middleware(BodyLimit, max_bytes=settings.upload_bytes)
     app.add_middleware(Guard, auth=auth)
     errors.install(app)
-    for part in (status, missions, parameters, runs, stream):
+    for part in (status, missions, parameters, declared, runs, stream):
         app.include_router(part.router)
     app.state.scene = None
     if settings.scene != "off":

@@ -1,0 +1,25 @@
+"""What may stand in missions, vehicles and parameters: for forms, editors and other programs."""
+
+from typing import Any, Literal
+
+from fastapi import APIRouter
+
+router = APIRouter(prefix="/api")
+
+Format = Literal["mission", "vehicle", "parameters"]
+
+
+@router.get("/fields/{kind}")
+def fields(kind: Format) -> list[dict[str, Any]]:
+    """Every field with its path, type, unit, range, default, label and help, and whether it is live."""
+    from bumpless.config.formats import field_catalogue
+
+    return field_catalogue(kind)
+
+
+@router.get("/schemas/{kind}")
+def schema(kind: Format) -> dict[str, Any]:
+    """The JSON Schema (2020-12) of such files."""
+    from bumpless.config.formats import SCHEMAS
+
+    return SCHEMAS[kind]()
