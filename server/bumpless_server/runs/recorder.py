@@ -12,6 +12,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from bumpless.contract import bumpless_pb2 as pb
+from bumpless.contract.enums import FLYING
 from bumpless_server.live.boxes import BoundedQueue
 from bumpless_server.live.sample import EVENT, Sample, stamp_of
 from bumpless_server.live.worker import Worker
@@ -28,7 +29,6 @@ RETRY_S = 5.0  # after a disk without room, and the first time after a failing o
 MAX_RETRY_S = 300.0  # each try may leave a part of the run behind: twice as long each time, up to this
 MISSION = "tlm/mission"
 CONTEXT = ("tlm/description", "tlm/parameters", "tlm/plan")
-_ACTIVE = (pb.MISSION_PHASE_RUNNING, pb.MISSION_PHASE_PAUSED)
 _REASONS = {pb.MISSION_PHASE_COMPLETED: "completed", pb.MISSION_PHASE_ABORTED: "aborted"}
 
 Say = Callable[[pb.Severity, str, str, dict[str, str]], None]
@@ -187,7 +187,7 @@ class Recorder:
     def _on_status(self, status: pb.MissionStatus) -> bool:
         """Begin or end a file as the vehicle says; True when the status itself was written by that."""
         run = self._run
-        if status.phase in _ACTIVE and status.run_id:
+        if status.phase in FLYING and status.run_id:
             if run is not None and run.run_id == status.run_id:
                 run.status = status
                 return False

@@ -9,7 +9,7 @@ from bumpless.config.mission import Mission
 from bumpless.config.parameters import Parameters
 from bumpless.config.vehicle import Vehicle
 from bumpless.control.allocation.record import MDCA, PID_DIRECT, SPEED_LINEAR, THRUST_LINEAR, WLS
-from bumpless.control.guidance_record import AALOS, ALOS
+from bumpless.control.guidance.record import AALOS, ALOS
 from bumpless.control.plan import PLAN
 from bumpless.control.switching import KEEP, RESCALE, RESET
 from bumpless.physics.sensors import SENSORS
