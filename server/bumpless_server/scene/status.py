@@ -3,6 +3,7 @@
 from math import isfinite
 
 from bumpless.contract import bumpless_pb2 as pb
+from bumpless.contract.enums import FLYING
 from bumpless_server.scene.palette import MODE_NAME
 
 PHASE_NAME: dict[int, str] = {
@@ -11,7 +12,6 @@ PHASE_NAME: dict[int, str] = {
     pb.MISSION_PHASE_COMPLETED: "Completed",
     pb.MISSION_PHASE_ABORTED: "Aborted",
 }
-FLYING = (pb.MISSION_PHASE_RUNNING, pb.MISSION_PHASE_PAUSED)
 
 
 def trail_mode(phase: int, mode: int) -> int:

@@ -17,7 +17,7 @@ SITUATION = np.dtype(  # what guidance goes by in this cycle, besides the naviga
         ("station", f8, 4),  # where to hover: NED and heading
         ("range", f8),  # to the observation point, m
         ("detected", i8),
-        ("slow", i8),  # 1 on the last leg within d_FR^L: no faster than R may be
+        ("slow", i8),  # 1 within d_FR^L: on the last leg no faster than R may be
         ("u_r", f8),  # surge through water, m/s
         ("adapt", i8),  # 1 where the law may learn: no ramp is under way
         ("first", i8),  # 1 in a mission's first cycle
