@@ -1,4 +1,4 @@
-"""Vehicles and flown missions that many tests of the twin look at; each is made once."""
+"""Fixtures: a vehicle and a flown mission that many rooms' tests look at; each is made once."""
 
 from pathlib import Path
 
@@ -10,7 +10,7 @@ from bumpless.config.vehicle import Vehicle, load_vehicle
 from bumpless.physics.model import build_model
 from bumpless.sim.twin import Result, simulate
 
-MISSIONS = Path(__file__).parents[2] / "missions"
+MISSIONS = Path(__file__).parents[1] / "missions"
 
 
 @pytest.fixture(scope="session")
