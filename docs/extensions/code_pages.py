@@ -74,7 +74,11 @@ def pages(app: Sphinx) -> Iterator[tuple[str, dict[str, Any], str]]:
             lexer = TextLexer()
         # Pygments writes L-12; the links say L12, as forges do.
         body = highlight(text, lexer, formatter).replace('"L-', '"L').replace('"#L-', '"#L')
-        yield f"{FOLDER}/{path}", {"title": path, "body": f'<h1>{path}</h1><div class="code-page">{body}</div>'}, "page.html"
+        yield (
+            f"{FOLDER}/{path}",
+            {"title": path, "body": f'<h1>{path}</h1><div class="code-page">{body}</div>'},
+            "page.html",
+        )
 
 
 def setup(app: Sphinx) -> dict[str, Any]:
