@@ -12,6 +12,7 @@ PY := $(BIN)/python
 UV := $(BIN)/uv pip install --quiet --python $(PY)
 NPM := $(PY) hatch_build.py npm
 DONE := .venv/.make
+CORES := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
 TWIN := $(shell find twin paper -name '*.py' -o -name '*.toml')
 GENERATED = twin/bumpless/contract/bumpless_pb2.py twin/bumpless/contract/bumpless_pb2.pyi $(wildcard console_web/src/gen/*)
 
@@ -26,7 +27,9 @@ test: $(DONE)/compiled $(DONE)/dev console chromium  ## the whole suite, browser
 	@$(BIN)/pytest $(ARGS)
 
 CHECKS := check-types check-console check-style check-imports check-results check-figures check-containers check-gen check-docs check-declared check-leaks
-CORES := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
+test-fast: $(DONE)/compiled $(DONE)/dev  ## the tests that open no browser and fly no study, side by side
+	@$(BIN)/pytest -q -m "not slow" -n $(CORES) --dist loadfile $(ARGS)
+
 check:  ## lint, types, import rules, generated files, containers, leaks; seconds
 	@$(MAKE) --no-print-directory --output-sync=target -j$(CORES) $(CHECKS)
 
@@ -164,5 +167,5 @@ $(DONE)/compiled: $(DONE)/project $(TWIN)
 	@$(PY) -m bumpless.sim.warm_up missions/docking.yaml
 	@touch $@
 
-.PHONY: help run test check check-style check-imports check-types check-test-types check-console check-containers check-gen \
+.PHONY: help run test test-fast check check-style check-imports check-types check-test-types check-console check-containers check-gen \
 	check-leaks check-results check-figures check-docs check-declared gen gen-code docs release results bench bench-live format console chromium lock clean
