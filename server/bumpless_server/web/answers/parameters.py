@@ -1,0 +1,36 @@
+"""What the vehicle is tuned with, what each number may be, and saved sets."""
+
+from datetime import datetime
+
+from pydantic import BaseModel
+
+from bumpless_server.web.answers.contract import Parameters
+
+
+class Range(BaseModel):
+    """What one live-tunable number may be. `count`: the length of a vector."""
+
+    path: str
+    unit: str
+    min: float
+    max: float
+    label: str
+    count: int | str | None
+
+
+class ParametersAnswer(BaseModel):
+    """As the vehicle confirmed it."""
+
+    active: Parameters
+    defaults: Parameters
+    revision: int
+    sha256: str
+    ranges: list[Range]
+
+
+class Preset(BaseModel):
+    """A saved set of parameters."""
+
+    name: str
+    modified: datetime
+    parameters: Parameters
