@@ -65,7 +65,7 @@ gen: $(DONE)/dev $(DONE)/project  ## generate the contract's Python and TypeScri
 	$(PY) -m grpc_tools.protoc -I twin/bumpless/contract --python_out=twin/bumpless/contract --pyi_out=twin/bumpless/contract bumpless.proto
 	PYTHON=$(CURDIR)/$(PY) $(NPM) console_web run gen --silent
 	$(PY) -m bumpless_server.web.generate console_web/src/gen build/openapi.json
-	$(NPM) .ci exec --offline -- openapi-typescript ../build/openapi.json --output ../console_web/src/gen/api.ts
+	$(NPM) .ci exec --offline -- openapi-typescript ../build/openapi.json --default-non-nullable=false --output ../console_web/src/gen/api.ts
 
 MINUTES ?= 10
 results: $(DONE)/compiled  ## reproduce the paper and renew the README's results

@@ -421,7 +421,7 @@ export interface components {
             /** Accepted */
             accepted: boolean;
             /** Problems */
-            problems?: components["schemas"]["bumpless_server__web__answers__contract__Problem__2"][];
+            problems: components["schemas"]["Problem"][];
             /** Reason */
             reason: string;
             /** Revision */
@@ -443,7 +443,7 @@ export interface components {
              */
             code: string;
             /** Details */
-            details?: {
+            details: {
                 [key: string]: string;
             };
             /** Receive Time Ns */
@@ -454,7 +454,7 @@ export interface components {
              * @enum {string}
              */
             severity: "SEVERITY_UNSPECIFIED" | "SEVERITY_INFO" | "SEVERITY_WARNING" | "SEVERITY_ALARM";
-            stamp?: components["schemas"]["Stamp"] | null;
+            stamp: components["schemas"]["Stamp"] | null;
             /**
              * Text
              * @default
@@ -525,7 +525,7 @@ export interface components {
              */
             missing_cycles: number;
             /** Modes */
-            modes?: components["schemas"]["ModeMetrics"][];
+            modes: components["schemas"]["ModeMetrics"][];
             /**
              * Residual Rms
              * @default 0
@@ -572,7 +572,7 @@ export interface components {
              */
             solved_ratio: number | null;
             /** Switches */
-            switches?: components["schemas"]["SwitchMetrics"][];
+            switches: components["schemas"]["SwitchMetrics"][];
         };
         /**
          * MissionDetail
@@ -582,7 +582,7 @@ export interface components {
             /** Builtin */
             builtin: boolean;
             /** Current Ned Mps */
-            current_ned_mps?: [
+            current_ned_mps: [
                 number,
                 number,
                 number
@@ -599,20 +599,20 @@ export interface components {
             /** Name */
             name: string;
             /** Path Ned M */
-            path_ned_m?: [
+            path_ned_m: [
                 number,
                 number,
                 number
             ][] | null;
             /** Problems */
-            problems: components["schemas"]["bumpless_server__web__answers__contract__Problem__1"][];
+            problems: components["schemas"]["Problem"][];
             /** Seed */
             seed: number | null;
             /** Sha256 */
             sha256: string;
             /** Summary */
             summary: string;
-            target?: components["schemas"]["Target"] | null;
+            target: components["schemas"]["Target"] | null;
             /** Title */
             title: string;
             /** Valid */
@@ -668,7 +668,7 @@ export interface components {
              * @default 0
              */
             seed: number;
-            stamp?: components["schemas"]["Stamp"] | null;
+            stamp: components["schemas"]["Stamp"] | null;
         };
         /**
          * MissionSummary
@@ -689,7 +689,7 @@ export interface components {
             /** Name */
             name: string;
             /** Problems */
-            problems: components["schemas"]["bumpless_server__web__answers__contract__Problem__1"][];
+            problems: components["schemas"]["Problem"][];
             /** Seed */
             seed: number | null;
             /** Sha256 */
@@ -709,7 +709,7 @@ export interface components {
          */
         ModeMetrics: {
             /** Actuator Rms */
-            actuator_rms?: (number | null)[];
+            actuator_rms: (number | null)[];
             /**
              * Depth Peak To Peak M
              * @default 0
@@ -773,9 +773,9 @@ export interface components {
              */
             lambda: number | null;
             /** Q Diagonal */
-            q_diagonal?: (number | null)[];
+            q_diagonal: (number | null)[];
             /** R Diagonal */
-            r_diagonal?: (number | null)[];
+            r_diagonal: (number | null)[];
             /**
              * Ramp Cycles
              * @default 0
@@ -787,11 +787,11 @@ export interface components {
          * @description A whole set of tunable parameters.
          */
         Parameters: {
-            bumpless?: components["schemas"]["BumplessParameters"] | null;
-            forward?: components["schemas"]["ModeParameters"] | null;
-            hover?: components["schemas"]["ModeParameters"] | null;
-            reverse?: components["schemas"]["ModeParameters"] | null;
-            supervisor?: components["schemas"]["SupervisorParameters"] | null;
+            bumpless: components["schemas"]["BumplessParameters"] | null;
+            forward: components["schemas"]["ModeParameters"] | null;
+            hover: components["schemas"]["ModeParameters"] | null;
+            reverse: components["schemas"]["ModeParameters"] | null;
+            supervisor: components["schemas"]["SupervisorParameters"] | null;
         };
         /**
          * ParametersAnswer
@@ -822,6 +822,42 @@ export interface components {
             parameters: components["schemas"]["Parameters"];
         };
         /**
+         * Problem
+         * @description One broken rule: where, what was found there, and the rule.
+         */
+        Problem: {
+            /**
+             * Column
+             * @default 0
+             */
+            column: number;
+            /**
+             * Field
+             * @default
+             */
+            field: string;
+            /**
+             * File
+             * @default
+             */
+            file: string;
+            /**
+             * Line
+             * @default 0
+             */
+            line: number;
+            /**
+             * Rule
+             * @default
+             */
+            rule: string;
+            /**
+             * Value
+             * @default
+             */
+            value: string;
+        };
+        /**
          * Range
          * @description What one live-tunable number may be. `count`: the length of a vector.
          */
@@ -847,7 +883,7 @@ export interface components {
             /** Detail */
             detail: string;
             /** Problems */
-            problems: components["schemas"]["bumpless_server__web__answers__contract__Problem__1"][];
+            problems: components["schemas"]["Problem"][];
         } & {
             [key: string]: unknown;
         };
@@ -940,7 +976,7 @@ export interface components {
              * Operator
              * @default
              */
-            operator: string;
+            operator?: string;
             /** Seed */
             seed?: number | null;
         };
@@ -1075,7 +1111,7 @@ export interface components {
          */
         SwitchMetrics: {
             /** Actuator Step */
-            actuator_step?: (number | null)[];
+            actuator_step: (number | null)[];
             /**
              * Command Step Normalised
              * @default 0
@@ -1158,78 +1194,6 @@ export interface components {
             name: string;
             /** Sha256 */
             sha256: string;
-        };
-        /**
-         * Problem
-         * @description One broken rule: where, what was found there, and the rule.
-         */
-        bumpless_server__web__answers__contract__Problem__1: {
-            /**
-             * Column
-             * @default 0
-             */
-            column: number;
-            /**
-             * Field
-             * @default
-             */
-            field: string;
-            /**
-             * File
-             * @default
-             */
-            file: string;
-            /**
-             * Line
-             * @default 0
-             */
-            line: number;
-            /**
-             * Rule
-             * @default
-             */
-            rule: string;
-            /**
-             * Value
-             * @default
-             */
-            value: string;
-        };
-        /**
-         * Problem
-         * @description bumpless.Problem as JSON.
-         */
-        bumpless_server__web__answers__contract__Problem__2: {
-            /**
-             * Column
-             * @default 0
-             */
-            column: number;
-            /**
-             * Field
-             * @default
-             */
-            field: string;
-            /**
-             * File
-             * @default
-             */
-            file: string;
-            /**
-             * Line
-             * @default 0
-             */
-            line: number;
-            /**
-             * Rule
-             * @default
-             */
-            rule: string;
-            /**
-             * Value
-             * @default
-             */
-            value: string;
         };
     };
     responses: never;

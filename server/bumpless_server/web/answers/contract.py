@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal, TypeVar
 from google.protobuf import json_format
 from google.protobuf.descriptor import Descriptor, FieldDescriptor
 from google.protobuf.message import Message
-from pydantic import BaseModel, BeforeValidator, Field, create_model
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, create_model
 
 from bumpless.contract import bumpless_pb2 as pb
 
@@ -33,6 +33,12 @@ _KINDS: dict[int, tuple[Any, Any]] = {  # Python type and value when absent, by 
 }
 
 
+class Answer(BaseModel):
+    """What every answer is: all its fields are there, also those with a value for absence."""
+
+    model_config = ConfigDict(json_schema_serialization_defaults_required=True)
+
+
 def model_of(message: type[Message]) -> type[BaseModel]:
     """The model of a message's JSON with its own field names, as json_format writes it."""
     return _model(message.DESCRIPTOR)
@@ -41,7 +47,7 @@ def model_of(message: type[Message]) -> type[BaseModel]:
 @cache
 def _model(kind: Descriptor) -> type[BaseModel]:
     fields: dict[str, Any] = {field.name: _field(field) for field in kind.fields}
-    return create_model(kind.name, __doc__=f"{kind.full_name} as JSON.", **fields)
+    return create_model(kind.name, __base__=Answer, __doc__=f"{kind.full_name} as JSON.", **fields)
 
 
 def _field(field: FieldDescriptor) -> tuple[Any, Any]:
@@ -85,6 +91,7 @@ class CommandReply(model_of(pb.CommandReply)):
 
     accepted: bool
     reason: str
+    problems: list[Problem]
     revision: int  # of the parameters; small enough for a number
 
 

@@ -3,16 +3,14 @@
 from datetime import UTC, datetime
 from typing import Any
 
-from pydantic import BaseModel
-
 from bumpless.config.mission import Mission
 from bumpless_server.plan.missions import MissionFile
-from bumpless_server.web.answers.contract import Problem
+from bumpless_server.web.answers.contract import Answer, Problem
 
 Position = tuple[float, float, float]  # NED, m
 
 
-class MissionSummary(BaseModel):
+class MissionSummary(Answer):
     """A stored mission in the list. `valid` false: the file breaks a rule and cannot be flown."""
 
     name: str
@@ -48,7 +46,7 @@ class MissionSummary(BaseModel):
         )
 
 
-class Target(BaseModel):
+class Target(Answer):
     """Where a mission docks."""
 
     position_ned_m: Position

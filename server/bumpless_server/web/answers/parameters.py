@@ -2,12 +2,10 @@
 
 from datetime import datetime
 
-from pydantic import BaseModel
-
-from bumpless_server.web.answers.contract import Parameters
+from bumpless_server.web.answers.contract import Answer, Parameters
 
 
-class Range(BaseModel):
+class Range(Answer):
     """What one live-tunable number may be. `count`: the length of a vector."""
 
     path: str
@@ -18,7 +16,7 @@ class Range(BaseModel):
     count: int | str | None
 
 
-class ParametersAnswer(BaseModel):
+class ParametersAnswer(Answer):
     """As the vehicle confirmed it."""
 
     active: Parameters
@@ -28,7 +26,7 @@ class ParametersAnswer(BaseModel):
     ranges: list[Range]
 
 
-class Preset(BaseModel):
+class Preset(Answer):
     """A saved set of parameters."""
 
     name: str

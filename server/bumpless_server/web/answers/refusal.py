@@ -2,12 +2,12 @@
 
 from typing import Any
 
-from pydantic import BaseModel, ConfigDict
+from pydantic import ConfigDict
 
-from bumpless_server.web.answers.contract import Problem
+from bumpless_server.web.answers.contract import Answer, Problem
 
 
-class Refused(BaseModel):
+class Refused(Answer):
     """Why it was not done: one sentence, and each problem with its place."""
 
     model_config = ConfigDict(extra="allow")  # a vehicle's refusal brings its whole reply

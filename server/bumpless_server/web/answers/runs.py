@@ -3,12 +3,10 @@
 from datetime import datetime
 from typing import Literal
 
-from pydantic import BaseModel
-
-from bumpless_server.web.answers.contract import Metrics, Number
+from bumpless_server.web.answers.contract import Answer, Metrics, Number
 
 
-class RunAnswer(BaseModel):
+class RunAnswer(Answer):
     """A run in the list; of one being recorded, how far it is."""
 
     id: str

@@ -2,21 +2,19 @@
 
 from typing import Literal
 
-from pydantic import BaseModel
-
 from bumpless.config.vehicle import Vehicle
 from bumpless.contract import bumpless_pb2 as pb
-from bumpless_server.web.answers.contract import MissionStatus, model_of
+from bumpless_server.web.answers.contract import Answer, MissionStatus, model_of
 
 
-class Health(BaseModel):
+class Health(Answer):
     """The server answers."""
 
     status: Literal["ok"]
     version: str
 
 
-class SeenVehicle(BaseModel):
+class SeenVehicle(Answer):
     """Who speaks on the bus, without its file."""
 
     vehicle_id: str
@@ -41,7 +39,7 @@ class Event(model_of(pb.Event)):
     receive_time_ns: str
 
 
-class ActuatorAnswer(BaseModel):
+class ActuatorAnswer(Answer):
     """One actuator with its amplitude bounds, in its unit."""
 
     name: str
@@ -51,7 +49,7 @@ class ActuatorAnswer(BaseModel):
     max: float
 
 
-class VehicleAnswer(BaseModel):
+class VehicleAnswer(Answer):
     """The vehicle's build as its own file says."""
 
     id: str
