@@ -22,8 +22,11 @@ help:  ## what each command does
 run: $(DONE)/compiled console  ## install what is missing, start server and vehicle, print the address
 	@exec $(BIN)/bumpless serve $(ARGS)
 
-test: $(DONE)/compiled $(DONE)/dev console chromium  ## the whole suite, browser included (ARGS="-k docking")
+test: $(DONE)/compiled $(DONE)/dev console chromium test-console  ## the whole suite, browser included (ARGS="-k docking")
 	@$(BIN)/pytest $(ARGS)
+
+test-console: $(DONE)/build  ## the console's logic, without a browser: seconds
+	@$(NPM) console_web test --silent
 
 check: check-style check-imports check-types check-results check-figures check-console check-containers check-gen check-leaks  ## lint, types, import rules, generated files, containers, leaks
 
@@ -78,9 +81,10 @@ bench: $(DONE)/compiled $(DONE)/dev $(DONE)/bench console  ## measure every spee
 bench-live: $(DONE)/compiled $(DONE)/dev console  ## a live node beside a loaded server (MINUTES=10)
 	$(PY) -m tests.bench.live_node --minutes $(MINUTES) --streams 5
 
-format: $(DONE)/dev  ## let ruff format and sort imports
+format: $(DONE)/dev  ## let ruff and biome format and sort imports
 	$(BIN)/ruff check --select I --fix .
 	$(BIN)/ruff format .
+	$(NPM) console_web run format --silent
 
 console: $(DONE)/build
 	@$(PY) hatch_build.py
@@ -138,5 +142,5 @@ $(DONE)/compiled: $(DONE)/project $(TWIN)
 	@$(PY) -m bumpless.sim.warm_up missions/docking.yaml
 	@touch $@
 
-.PHONY: help run test check check-style check-imports check-types check-console check-containers check-gen \
+.PHONY: help run test test-console check check-style check-imports check-types check-console check-containers check-gen \
 	check-leaks check-results check-figures gen results bench bench-live format console chromium lock clean

@@ -35,7 +35,7 @@ export default defineConfig({
   plugins: [compressed()],
   oxc: { jsx: { runtime: "automatic", importSource: "preact" } },
   build: { target: "es2022", outDir: "dist", emptyOutDir: true, assetsInlineLimit: 0, sourcemap: false },
-  test: { include: ["src/**/*.test.ts"], environment: "node" },
+  test: { include: ["src/**/*.test.ts"], css: true },
   server: {
     proxy: {
       "/api": { target: "http://127.0.0.1:8080", ws: true },

@@ -102,11 +102,12 @@ def default_replies(server: ContractServer) -> None:
         "GET", "vehicle", {"id": "ts100", "name": "TS-100", "controllable": ["X", "Z", "K", "M", "N"]}
     )
     server.reply("GET", "parameters", {"revision": 1, "ranges": ranges()})
-    server.reply("GET", "presets", [{"name": "calm-sea"}])
     gentle = flight.parameters()
     gentle.hover.ramp_cycles = 80
     gentle.forward.q_diagonal[0] = 1.25
-    server.reply("GET", "presets/calm-sea", as_json(gentle))
+    calm = {"name": "calm-sea", "modified": "2026-01-01T00:00:00Z", "parameters": as_json(gentle)}
+    server.reply("GET", "presets", [calm])
+    server.reply("GET", "presets/calm-sea", calm)
     server.reply("GET", "runs", [run(OLD_RUN_ID, "docking_current", "complete", "duration reached")])
     server.reply("GET", f"runs/{OLD_RUN_ID}/metrics", as_json(metrics()))
     server.reply("GET", f"runs/{OLD_RUN_ID}/log.mcap", b"\x89MCAP0\r\n")

@@ -2,9 +2,16 @@
 import { describe, expect, it } from "vitest";
 
 const LITERAL = /(?<![\w-])-?\d*\.?\d+(px|rem|pt|cm|mm)\b|#[0-9a-f]{3,8}\b|\b(rgb|hsl|oklch)a?\(/gi;
-const RAW = { query: "?raw", import: "default", eager: true } as const;
-const sheets = Object.entries(import.meta.glob<string>("../**/*.css", RAW));
-const scripts = Object.entries(import.meta.glob<string>(["../**/*.{ts,tsx}", "!../**/*.test.ts"], RAW));
+const sheets = Object.entries(
+  import.meta.glob<string>("../**/*.css", { query: "?raw", import: "default", eager: true }),
+);
+const scripts = Object.entries(
+  import.meta.glob<string>(["../**/*.{ts,tsx}", "!../**/*.test.ts"], {
+    query: "?raw",
+    import: "default",
+    eager: true,
+  }),
+);
 
 /** A sheet without comments and the conditions of its media queries, which cannot use tokens. */
 function declarations(sheet: string): string {

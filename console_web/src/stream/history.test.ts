@@ -15,8 +15,9 @@ function flown(): {
   return { history, fly };
 }
 
-const times = (history: History): number[] =>
-  [...history.time.slice(0, history.length)].map((t) => t - START_S);
+/** Mission time, to the millisecond. */
+const ms = (time: number): number => Math.round((time - START_S) * 1000) / 1000;
+const times = (history: History): number[] => [...history.time.slice(0, history.length)].map(ms);
 
 describe("the history", () => {
   it("takes a row for each cycle, also while nobody looks", () => {
