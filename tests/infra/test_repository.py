@@ -19,7 +19,7 @@ LOCKS = {
     "requirements-dev.lock": [*DEPENDENCIES, *GROUPS["build"], *GROUPS["dev"]],
     "requirements-bench.lock": [*DEPENDENCIES, *PROJECT["project"]["optional-dependencies"]["bench"]],
 }
-GENERATED = {"bumpless_pb2.py", "bumpless_pb2.pyi", "bumpless_pb.ts"}
+GENERATED = {"bumpless_pb2.py", "bumpless_pb2.pyi", "bumpless_pb.ts", "api.ts", "house.ts"}
 
 
 def pins(lock: str) -> dict[str, set[Version]]:

@@ -1,4 +1,4 @@
-"""The page's files travel compressed when the browser takes it, and are asked for again only when they changed."""
+"""The page travels compressed when the browser takes it, and again only when it has changed."""
 
 import gzip
 from pathlib import Path
