@@ -18,6 +18,8 @@ from bumpless_server.web.routes import declared, help, missions, page, parameter
 
 log = logging.getLogger(__name__)
 
+ROUTERS = tuple(part.router for part in (status, missions, parameters, declared, runs, stream))
+
 
 def create_app(settings: Settings, console: Console | None = None) -> FastAPI:
     """The application. Its lifespan starts and stops the console; one that runs already stays running."""
@@ -40,8 +42,8 @@ def create_app(settings: Settings, console: Console | None = None) -> FastAPI:
     app.add_middleware(BodyLimit, max_bytes=settings.upload_bytes)
     app.add_middleware(Guard, auth=auth)
     errors.install(app)
-    for part in (status, missions, parameters, declared, runs, stream):
-        app.include_router(part.router)
+    for router in ROUTERS:
+        app.include_router(router)
     app.state.scene = None
     if settings.scene != "off":
         app.state.scene = scene = Scene(console.state, session_cookie, light=settings.scene == "light")
