@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from bumpless.records import FIN
+from bumpless.physics.actuators import FIN
 
 STALL_WIDTH = 0.12
 

@@ -9,7 +9,8 @@ from bumpless import records
 from bumpless.control.allocation.bounds import command_bounds
 from bumpless.control.allocation.mdca import allocate_mdca, allocation_cost
 from bumpless.control.allocation.qp import make_handle
-from bumpless.control.allocation.wrench_map import to_command, to_x, wrench_map
+from bumpless.control.allocation.wrench_map import wrench_map
+from bumpless.physics.actuators import to_command, to_x
 
 N = records.MAX_ACTUATORS
 unit = st.floats(-1.0, 1.0)

@@ -17,7 +17,6 @@ from bumpless.control.effectiveness.record import ESTIMATOR
 from bumpless.physics.model_record import MODEL as MODEL
 
 FORWARD, REVERSE, HOVER = 0, 1, 2
-THRUSTER, FIN = 0, 1
 
 f8, i8 = np.float64, np.int64
 _n = MAX_ACTUATORS
@@ -289,6 +288,7 @@ ALLOCATION_WORK = np.dtype(
         ("x_previous", f8, _n),
         ("healthy", f8, _n),
         ("curvature", f8, _n),
+        ("coupling", f8, _n),  # the same between slot i and the next
         ("free", i8, _n),
         ("weight", f8, 6),
         ("lb", f8, _n),

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from bumpless.records import FIN
+from bumpless.physics.actuators import FIN
 
 
 @dataclass(frozen=True)

@@ -56,7 +56,7 @@ def run(
     from bumpless.metrics import Run, as_dict, metrics_of
     from bumpless_server.cli.run_log import identity, write_log
 
-    metrics = metrics_of(Run.from_log(result.log, len(who.actuators)), who)
+    metrics = metrics_of(Run.from_log(result.log, len(who.commands)), who)
     info = identity(result)
     metrics.run_id = info["run_id"]
     summary: dict[str, Any] = {

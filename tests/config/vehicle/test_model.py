@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 from bumpless.config.vehicle import load_vehicle, vehicle_names
-from bumpless.physics.actuators import actuator_wrench
+from bumpless.physics.actuators import FIN, THRUSTER, actuator_wrench
 from bumpless.physics.model import build_model
-from bumpless.records import FIN, MAX_ACTUATORS, THRUSTER
+from bumpless.records import MAX_ACTUATORS
 
 NAMES = vehicle_names()
 # Gao et al. 2026, eq. (3): nonzero entries of M for a hull with port-starboard symmetry
@@ -16,7 +16,9 @@ M_PATTERN = {(0, 0), (0, 2), (0, 4), (1, 1), (1, 3), (1, 5), (2, 2), (2, 4), (3,
 def wrench(model: np.record, i: int, command: float, surge: float) -> np.ndarray:
     """Wrench (6,) of one actuator in steady flow along x."""
     out = np.zeros(6)
-    actuator_wrench(model, i, command, np.array([surge, 0, 0, 0, 0, 0.0]), out)
+    u = np.zeros(MAX_ACTUATORS)
+    u[i] = command
+    actuator_wrench(model, i, u, np.array([surge, 0, 0, 0, 0, 0.0]), out)
     return out
 
 

@@ -11,8 +11,10 @@ from bumpless.config.vehicle import load_vehicle
 from bumpless.control.allocation.curvature import descent_curvature, residual_curvature
 from bumpless.control.allocation.mdca import REFUSED, allocate_mdca
 from bumpless.control.allocation.qp import make_handle
-from bumpless.control.allocation.wrench_map import to_command, wrench_map
-from bumpless.physics.actuators import STALL_WIDTH, inflow_along
+from bumpless.control.allocation.wrench_map import wrench_map
+from bumpless.physics.actuators import FIN, to_command
+from bumpless.physics.actuators.fin import STALL_WIDTH
+from bumpless.physics.actuators.geometry import inflow_along
 from bumpless.sim.settings import fill_settings
 from tests.bench import stream
 from tests.control.allocation.mdca_problems import KINDS, random_problems
@@ -97,11 +99,12 @@ def test_second_order_term_equals_finite_differences(model, problems):
     """Protects: the fins' curvature, attached, stalled and in between, in flow from any side."""
     n, rng = int(model["n_u"]), np.random.default_rng(4)
     up, down, J_up, J_down, out = np.zeros(6), np.zeros(6), np.zeros((6, N)), np.zeros((6, N)), np.zeros(N)
-    h = 1e-6
+    coupling, h = np.zeros(N), 1e-6
     for p in problems[:400]:
         x, weight = np.zeros(N), rng.normal(size=6)
         x[:n] = rng.uniform(-1, 1, n)
-        residual_curvature(model, x, p["effectiveness"], p["nu_r"], weight, out)
+        residual_curvature(model, x, p["u_previous"], p["effectiveness"], p["nu_r"], weight, out, coupling)
+        assert not coupling.any()  # each of these actuators has one command
         for i in range(n):
             step = np.zeros(N)
             step[i] = h
@@ -110,7 +113,7 @@ def test_second_order_term_equals_finite_differences(model, problems):
             if (up == down).all():
                 continue
             slope = -weight @ (J_up[:, i] - J_down[:, i]) / (2 * h)
-            if model["kind"][i] == records.FIN and abs(slope - out[i]) > 1e-3 * (1 + abs(slope)):
+            if model["kind"][i] == FIN and abs(slope - out[i]) > 1e-3 * (1 + abs(slope)):
                 # G'' jumps where stall begins and ends: a difference across the jump is no derivative
                 assert _near_a_jump(model, i, x[i], p["nu_r"]), (i, slope, out[i])
 
@@ -130,15 +133,17 @@ def test_a_direction_of_negative_curvature_is_one():
     found = 0
     for _ in range(500):
         G = rng.normal(size=(5, N))
-        H, curvature = G.T @ G + 1e-3 * np.eye(N), rng.normal(0.0, 0.5, N)
+        H, curvature, coupling = G.T @ G + 1e-3 * np.eye(N), rng.normal(0.0, 0.5, N), np.zeros(N)
+        coupling[[0, 3]] = rng.normal(0.0, 0.5, 2)
+        C = np.diag(curvature) + np.diag(coupling[:-1], 1) + np.diag(coupling[:-1], -1)
         free = (rng.random(N) < 0.7).astype(np.int64)
         inside = np.flatnonzero(free)
-        full = (H + np.diag(curvature))[np.ix_(inside, inside)]
-        convex = descent_curvature(H, curvature, free, N, z)
+        full = (H + C)[np.ix_(inside, inside)]
+        convex = descent_curvature(H, curvature, coupling, free, N, z)
         assert convex == (np.linalg.eigvalsh(full)[0] > 0.0 if len(inside) else True)
         if not convex:
             found += 1
-            assert z @ (H + np.diag(curvature)) @ z < 0.0 and not z[free == 0].any()
+            assert z @ (H + C) @ z < 0.0 and not z[free == 0].any()
     assert found > 100
 
 
@@ -150,9 +155,9 @@ def test_fins_brake_where_the_screw_alone_cannot(ts100, model):
     a["nu_r"][0], a["effectiveness"], a["Q"], a["R"], a["lam"] = 0.7, 1.0, model["controllable"], 0.01, 1e-3
     a["tau_d"][0] = -1.0
     a["u_lower"][:n], a["u_upper"][:n] = -0.3 * model["command_max"][:n], 0.3 * model["command_max"][:n]
-    propeller = int(np.argmax((model["kind"][:n] != records.FIN) * np.abs(model["direction"][:n, 0])))
+    propeller = int(np.argmax((model["kind"][:n] != FIN) * np.abs(model["direction"][:n, 0])))
     a["u_lower"][propeller] = a["u_upper"][propeller] = to_command(model, propeller, 0.0)
     allocate_mdca(make_handle("osqp"), settings[0], model, a, w[0])
-    fins = np.flatnonzero(model["kind"][:n] == records.FIN)
+    fins = np.flatnonzero(model["kind"][:n] == FIN)
     assert (np.abs(a["u"][fins]) > 0.25 * model["command_max"][fins]).all()
     assert abs(a["tau_d"][3:] - w[0]["tau"][3:]).max() < 0.05  # against each other: drag without a moment

@@ -33,7 +33,7 @@ def same(one: Any, other: Any, path: str = "") -> None:
 def test_metrics_from_the_file_are_the_simulations(flight: Flight) -> None:
     """One definition, two ways to the numbers: memory, and the bus's messages on a disk."""
     result = flight.result
-    direct = metrics_of(Run.from_log(result.log, len(result.vehicle.actuators)), result.vehicle, "run-1")
+    direct = metrics_of(Run.from_log(result.log, len(result.vehicle.commands)), result.vehicle, "run-1")
     stored = metrics_of_file(flight.path, "run-1")
     assert stored is not None
     assert direct.cycles == len(result.log)

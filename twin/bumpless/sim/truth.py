@@ -58,7 +58,7 @@ def truth_of(mission: Mission, vehicle: Vehicle) -> np.ndarray:
     t["n_outages"] = len(mission.sensors.outages)
     for i, outage in enumerate(mission.sensors.outages):
         t["outage"][i] = outage.from_s, outage.to_s
-    names = [actuator.name for actuator in vehicle.actuators]
+    names = [command.actuator for command in vehicle.commands]
     t["n_faults"] = len(mission.faults)
     for i, fault in enumerate(mission.faults):
         t["fault_actuator"][i] = names.index(fault.actuator)

@@ -47,7 +47,7 @@ class Twin:
         self.mission: Mission | None = None
         self.phase: int = IDLE
         self.seed = 0
-        self.events = EventWriter(tuple(actuator.name for actuator in vehicle.actuators))
+        self.events = EventWriter(tuple(command.actuator for command in vehicle.commands))
         self._handles: dict[str, np.ndarray] = {}
         self._models = np.array([build_model(vehicle)] * 2)  # what the autopilot knows, what is true
         self._model, self._plant_model = self._models[0], self._models[1]
@@ -125,7 +125,7 @@ class Twin:
         """Way from `surge` (m/s) to rest: half the ramp at this speed, then all reverse thrust, m."""
         m, n = self._model, int(self._model["n_u"])
         thrust = np.maximum(m["T_nn"], m["T_nn_reverse"])[:n] * m["command_min"][:n] ** 2
-        push = float(np.sum(thrust * np.abs(m["direction"][:n, 0]) * (m["kind"][:n] == records.THRUSTER)))
+        push = float(np.sum(thrust * np.abs(m["direction"][:n, 0])))
         braking = max(push, 1e-3) / float(m["M_RB"][0, 0] + m["M_A"][0, 0])
         ramp_s = self.parameters.hover.ramp_cycles * self.period_s
         return surge * ramp_s / 2 + surge * abs(surge) / (2 * braking)

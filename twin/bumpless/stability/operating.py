@@ -107,7 +107,7 @@ def thruster_load(model: np.record, mode: int) -> np.ndarray:
     load = np.zeros(6)
     for i in range(int(model["n_u"])):
         works = mode != records.HOVER and abs(model["direction"][i, 0]) > 0.5
-        if model["kind"][i] == records.THRUSTER and not works:
+        if not works:  # what is no screw has no T_nn
             force = 0.2 * model["T_nn"][i] * model["command_max"][i] ** 2 * model["direction"][i]
             load[:3] -= force
             load[3:] -= np.cross(model["position"][i], force)

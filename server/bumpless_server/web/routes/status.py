@@ -52,7 +52,7 @@ def events(console: Served, limit: int = 200) -> list[dict[str, Any]]:
 
 @router.get("/vehicle")
 def vehicle(console: Served) -> dict[str, Any]:
-    """The vehicle as it describes itself: actuators in its file's order with their bounds."""
+    """The vehicle as it describes itself: the commands of its actuators in the order of u."""
     described = console.vehicle()
     if described is None:
         raise Refusal(404, f"vehicle {console.state.vehicle_id} has not described itself yet")
@@ -66,12 +66,13 @@ def vehicle(console: Served) -> dict[str, Any]:
         "diameter_m": described.hull.diameter_m,
         "actuators": [
             {
-                "name": actuator.name,
+                "name": command.name,
                 "kind": actuator.kind,
-                "unit": actuator.unit,
-                "min": actuator.command_min,
-                "max": actuator.command_max,
+                "unit": command.unit,
+                "min": command.lower,
+                "max": command.upper,
             }
             for actuator in described.actuators
+            for command in actuator.commands
         ],
     }

@@ -27,7 +27,7 @@ def check(parameters: Parameters, vehicle: Any, source: str = "") -> list[Proble
     found: list[tuple[str, object, str]] = []
     for rule in RANGES:
         section, key = rule.path.split(".")
-        found += _check_range(rule, tree[section][key], len(vehicle.actuators))
+        found += _check_range(rule, tree[section][key], len(vehicle.commands))
     found += _check_order(parameters)
     return [Problem(source, None, None, field, value, rule) for field, value, rule in found]
 
@@ -37,7 +37,7 @@ def _check_range(rule: Range, value: Any, n_u: int) -> list[tuple[str, object, s
         return _check_number(rule, rule.path, value)
     count = n_u if rule.count == ACTUATORS else rule.count
     if len(value) != count:
-        per = {ACTUATORS: "one per actuator", 6: "one for each of X Y Z K M N"}.get(rule.count, "")
+        per = {ACTUATORS: "one per command", 6: "one for each of X Y Z K M N"}.get(rule.count, "")
         text = f"must have {count} numbers" + (f", {per}" if per else "")
         return [(rule.path, list(value), text)]
     return [p for i, item in enumerate(value) for p in _check_number(rule, f"{rule.path}[{i}]", item)]

@@ -16,22 +16,21 @@ from bumpless.config.problems import Problem, ProblemsError
 from bumpless.config.vehicle.fields import Collector, number, read, some_of, text
 from bumpless.config.vehicle.lines import lines_of
 from bumpless.config.vehicle.parts import (
+    ACTUATORS,
     Actuator,
     Appendage,
+    Command,
     Environment,
-    Fin,
     Hull,
     Mass,
     MyringHull,
     TabulatedHull,
-    Thruster,
 )
 from bumpless.config.vehicle.sensors import Camera, DepthSensor, Dvl, Ins, Sensors
 
 FOLDER = Path(__file__).parents[1] / "vehicles"
 WRENCH = ("X", "Y", "Z", "K", "M", "N")
 HULLS = {"myring": MyringHull, "tabulated": TabulatedHull}
-ACTUATORS = {"fin": Fin, "thruster": Thruster}
 SENSORS = {"ins": Ins, "dvl": Dvl, "depth": DepthSensor, "camera": Camera}
 HEAD = ("id", "name", "control_period_s", "controllable")
 TABLES = ("environment", "mass", "hull", "appendages", "actuator_types", "actuators", "sensors", "control")
@@ -51,7 +50,8 @@ class _Head:
 
 @dataclass(frozen=True)
 class Vehicle:
-    """One vehicle. Actuators stand in the file's order, which is the order of u everywhere."""
+    """One vehicle. Actuators stand in the file's order, and their commands one after the other: that is the
+    order of u everywhere."""
 
     id: str
     name: str
@@ -67,6 +67,17 @@ class Vehicle:
     text: str
     sha256: str
     source: str
+
+    @property
+    def commands(self) -> tuple[Command, ...]:
+        """Every command of every actuator, in the order of u."""
+        return tuple(command for actuator in self.actuators for command in actuator.commands)
+
+    def slots(self, kind: str) -> list[int]:
+        """Places in u of the commands of all actuators of a kind ("fin", "thruster")."""
+        return [
+            i for i, owner in enumerate(a for a in self.actuators for _ in a.commands) if owner.kind == kind
+        ]
 
 
 def vehicle_names() -> tuple[str, ...]:
@@ -180,9 +191,12 @@ def _actuators(table: dict[str, Any], found: Collector) -> list[Actuator]:
             continue
         if any(a.name == actuator.name for a in actuators):
             found.add(f"{path}.name", actuator.name, "must be different from the other actuators' names")
-        if isinstance(actuator, Thruster) and not any(actuator.direction):
+        if not any(actuator.direction):
             found.add(f"{path}.direction", list(actuator.direction), "must not be 0")
         actuators.append(actuator)
+    count = sum(len(actuator.commands) for actuator in actuators)
+    if count > MAX_ACTUATORS:
+        found.add("actuators", None, f"must have {MAX_ACTUATORS} commands at most, they have {count}")
     return actuators
 
 

@@ -98,6 +98,17 @@ class Appendage:
 
 
 @dataclass(frozen=True)
+class Command:
+    """One number that an actuator is told: one entry of u, one row on the screen."""
+
+    name: str
+    actuator: str  # whose it is
+    unit: str  # "deg" or "rpm"
+    lower: float  # bounds in `unit`
+    upper: float
+
+
+@dataclass(frozen=True)
 class Fin:
     """A rudder on a radial stock. delta > 0 lifts along e_L = [0, cos lambda, sin lambda] in forward flow,
 
@@ -124,8 +135,6 @@ class Fin:
     reverse_lift_share: float = number(low=0, high=1)
     cross_flow_drag_coefficient: float = number(low=0, high=3)  # c_df, flow across the plate
 
-    unit = "deg"
-
     @property
     def position_m(self) -> tuple[float, float, float]:
         """Where lift acts, in body axes."""
@@ -139,14 +148,10 @@ class Fin:
         return (0.0, math.cos(a), math.sin(a))
 
     @property
-    def command_min(self) -> float:
-        """Lower bound in `unit`."""
-        return -self.deflection_max_deg
-
-    @property
-    def command_max(self) -> float:
-        """Upper bound in `unit`."""
-        return self.deflection_max_deg
+    def commands(self) -> tuple[Command, ...]:
+        """The deflection."""
+        limit = self.deflection_max_deg
+        return (Command(self.name, self.name, "deg", -limit, limit),)
 
 
 @dataclass(frozen=True)
@@ -173,17 +178,11 @@ class Thruster:
     shaft_acceleration_rpmps: float = number(above=0)
     time_constant_s: float = number(above=0)
 
-    unit = "rpm"
-
     @property
-    def command_min(self) -> float:
-        """Lower bound in `unit`."""
-        return self.shaft_speed_min_rpm
-
-    @property
-    def command_max(self) -> float:
-        """Upper bound in `unit`."""
-        return self.shaft_speed_max_rpm
+    def commands(self) -> tuple[Command, ...]:
+        """The shaft speed."""
+        return (Command(self.name, self.name, "rpm", self.shaft_speed_min_rpm, self.shaft_speed_max_rpm),)
 
 
 Actuator = Fin | Thruster
+ACTUATORS = {"fin": Fin, "thruster": Thruster}  # by their name in a vehicle file

@@ -7,9 +7,10 @@ from math import sqrt
 
 import numpy as np
 
-from bumpless.control.allocation.wrench_map import to_command, to_x, wrench_map
+from bumpless.control.allocation.wrench_map import wrench_map
 from bumpless.jit import jit
-from bumpless.records import FIN, SPEED_LINEAR
+from bumpless.physics.actuators import to_command, to_x
+from bumpless.records import SPEED_LINEAR
 
 _DAMPING = 1e-6
 
@@ -94,20 +95,20 @@ def allocate_direct(settings, model, a, w):
     (THRUST_LINEAR) or, as a PID output scaled to the shaft's range, shaft speed (SPEED_LINEAR).
     """
     n = model.n_u
-    fins, thrusters = 0, 0
+    steering, pushing = 0, 0
     for i in range(n):
         w.u_previous[i] = 0.0
         w.x[i] = 0.0
-        if model.kind[i] == FIN:
-            fins += 1
+        if model.steers[i] == 1:
+            steering += 1
         else:
-            thrusters += 1
+            pushing += 1
     for k in range(6):
         w.flow[k] = 0.0
     w.flow[0] = settings.schedule_speed * sqrt(max(a.schedule, settings.schedule_min))
     w.healthy[:] = 1.0
     wrench_map(model, w.x, w.u_previous, w.healthy, w.flow, w.tau, w.jacobian)
-    if fins == 0 or thrusters == 0:
+    if steering == 0 or pushing == 0:
         w.trial[:] = 1.0
         _pseudo_inverse(model, a, w, a.tau_d, model.controllable, w.trial, w.x)
     else:
@@ -115,11 +116,11 @@ def allocate_direct(settings, model, a, w):
             for k in range(6):
                 w.channel[k] = model.controllable[k] if (k < 3) == (group == 0) else 0.0
             for i in range(n):
-                w.trial[i] = 1.0 if (model.kind[i] == FIN) == (group == 1) else 0.0
+                w.trial[i] = 1.0 if model.steers[i] == group else 0.0
             _pseudo_inverse(model, a, w, a.tau_d, w.channel, w.trial, w.x)
     if settings.direct_map == SPEED_LINEAR:
         for i in range(n):
-            if model.kind[i] != FIN:
+            if model.steers[i] == 0:
                 share = min(max(w.x[i], -1.0), 1.0)
                 w.x[i] = to_x(model, i, share * model.command_max[i])
     _apply(model, a, w)

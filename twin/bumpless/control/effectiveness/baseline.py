@@ -56,7 +56,7 @@ def model_forces(model, m, a, e):
     for i in range(model.n_u):
         for k in range(6):
             e.wrench[i, k] = 0.0
-        actuator_wrench(model, i, m.u_feedback[i], e.nu_r, e.wrench[i])
+        actuator_wrench(model, i, m.u_feedback, e.nu_r, e.wrench[i])
         for k in range(6):
             e.force[k] += (1.0 - e.loss[i]) * e.wrench[i, k]
     for k in range(6):

@@ -13,7 +13,6 @@ Source: Willsky and Jones 1976, IEEE Trans. Autom. Control 21(1); Friedland 1969
 from math import exp
 
 from bumpless.control.effectiveness.record import (
-    FIN_EVIDENCE,
     HEALTHY_LOSS,
     HEALTHY_S,
     LARGEST_STD,
@@ -26,7 +25,6 @@ from bumpless.control.effectiveness.record import (
     SLOTS,
 )
 from bumpless.jit import inline, jit
-from bumpless.records import FIN
 
 
 @jit
@@ -114,7 +112,7 @@ def weigh_hypotheses(model, e):
     most, or (-1, 0), and the evidence of the next best actuator."""
     best, best_slot, top, second = -1, 0, 0.0, 0.0
     for i in range(model.n_u):
-        trust = FIN_EVIDENCE if model.kind[i] == FIN else 1.0
+        trust = model.trust[i]
         e.evidence[i] = 0.0
         own_slot = 0
         for slot in range(SLOTS):
