@@ -189,7 +189,8 @@ def _actuators(table: dict[str, Any], found: Collector) -> list[Actuator]:
         actuator = _by_kind(ACTUATORS, entry, path, found)
         if actuator is None:
             continue
-        if any(a.name == actuator.name for a in actuators):
+        taken = {name for a in actuators for name in (a.name, *(c.name for c in a.commands))}
+        if taken & {actuator.name, *(c.name for c in actuator.commands)}:
             found.add(f"{path}.name", actuator.name, "must be different from the other actuators' names")
         if not any(actuator.direction):
             found.add(f"{path}.direction", list(actuator.direction), "must not be 0")

@@ -155,28 +155,34 @@ class Fin:
 
 
 @dataclass(frozen=True)
-class Thruster:
-    """A screw with thrust along `direction`; K_T and K_Q fall linearly with the advance ratio.
+class Screw:
+    """What every screw has; K_T and K_Q fall linearly with the advance ratio.
 
     Source: Gao et al. 2026, eqs. (8)-(12).
     """
 
     name: str = text()
-    kind: str = choice("thruster")
     position_m: tuple[float, float, float] = vector(3)
-    direction: tuple[float, float, float] = vector(3)  # normalised on use
     diameter_m: float = number(above=0)
     thrust_coefficient: float = number(above=0)  # K_T at J = 0
     thrust_slope: float = number(low=0)  # -dK_T/dJ
     torque_coefficient: float = number(low=0)  # K_Q at J = 0
     torque_slope: float = number(low=0)  # -dK_Q/dJ
     reverse_thrust_share: float = number(low=0, high=1)  # K_T at n < 0 over K_T at n > 0
-    wake_fraction: float = number(low=0, high=0.9)  # V_A = (1 - w) times the flow along `direction`
+    wake_fraction: float = number(low=0, high=0.9)  # V_A = (1 - w) times the flow along the thrust
     hand: str = choice("right", "left", "balanced")  # balanced: no torque reaches the hull
     shaft_speed_min_rpm: float = number(high=0)
     shaft_speed_max_rpm: float = number(above=0)
     shaft_acceleration_rpmps: float = number(above=0)
     time_constant_s: float = number(above=0)
+
+
+@dataclass(frozen=True)
+class Thruster(Screw):
+    """A screw that pushes along `direction`."""
+
+    kind: str = choice("thruster")
+    direction: tuple[float, float, float] = vector(3)  # normalised on use
 
     @property
     def commands(self) -> tuple[Command, ...]:

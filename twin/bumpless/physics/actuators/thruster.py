@@ -20,7 +20,7 @@ from bumpless.jit import inline
 from bumpless.physics.actuators.geometry import add_force, inflow_along
 
 if TYPE_CHECKING:
-    from bumpless.config.vehicle.parts import Thruster
+    from bumpless.config.vehicle.parts import Screw, Thruster
 
 KIND = 1
 GROUP, GRID = "thrusters", 100  # of Table 3 of the paper: its name there, and levels of a command
@@ -34,7 +34,7 @@ def fill(model: np.record, i: int, thruster: "Thruster", rho: float) -> None:
     fill_screw(model, i, thruster, rho)
 
 
-def fill_screw(model: np.record, i: int, screw: "Thruster", rho: float) -> None:
+def fill_screw(model: np.record, i: int, screw: "Screw", rho: float) -> None:
     """All of a screw but for where it pushes."""
     D, inflow = screw.diameter_m, 1.0 - screw.wake_fraction
     model["position"][i] = screw.position_m
