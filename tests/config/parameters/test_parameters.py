@@ -77,7 +77,7 @@ def test_rows_have_one_number_per_actuator(ts100: Vehicle, defaults: Parameters)
     short = replace(defaults, hover=replace(defaults.hover, r_diagonal=(1.0, 1.0)))
     (problem,) = check(short, ts100)
     assert problem.field == "hover.r_diagonal"
-    assert "one per actuator" in problem.rule
+    assert "one per command" in problem.rule
 
 
 @given(st.permutations([0.5, 1.0, 4.0, 6.0, 8.0]))
