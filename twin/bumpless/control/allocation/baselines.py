@@ -1,6 +1,7 @@
 """What the paper compares with: a direct PID mapping (S1) and a weighted pseudo-inverse (S2).
 
 Source: Gao et al. 2026, sec. 4.2 and table 5. Neither knows bounds: commands are clipped afterwards.
+Both are linear at rest, where only the first command of an actuator has an effect: a pod stays straight.
 """
 
 from math import sqrt
@@ -78,7 +79,7 @@ def allocate_wls(model, a, w):
     n = model.n_u
     for i in range(n):
         w.u_previous[i] = a.u[i]
-        w.x[i], w.trial[i] = 0.0, 1.0
+        w.x[i], w.trial[i] = 0.0, 1.0 if model.part[i] == 0 else 0.0
     wrench_map(model, w.x, w.u_previous, a.effectiveness, a.nu_r, w.tau, w.jacobian)
     for k in range(6):
         w.demand[k] = a.tau_d[k] - w.tau[k]
@@ -109,14 +110,15 @@ def allocate_direct(settings, model, a, w):
     w.healthy[:] = 1.0
     wrench_map(model, w.x, w.u_previous, w.healthy, w.flow, w.tau, w.jacobian)
     if steering == 0 or pushing == 0:
-        w.trial[:] = 1.0
+        for i in range(n):
+            w.trial[i] = 1.0 if model.part[i] == 0 else 0.0
         _pseudo_inverse(model, a, w, a.tau_d, model.controllable, w.trial, w.x)
     else:
         for group in range(2):
             for k in range(6):
                 w.channel[k] = model.controllable[k] if (k < 3) == (group == 0) else 0.0
             for i in range(n):
-                w.trial[i] = 1.0 if model.steers[i] == group else 0.0
+                w.trial[i] = 1.0 if model.steers[i] == group and model.part[i] == 0 else 0.0
             _pseudo_inverse(model, a, w, a.tau_d, w.channel, w.trial, w.x)
     if settings.direct_map == SPEED_LINEAR:
         for i in range(n):

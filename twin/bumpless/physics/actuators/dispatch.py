@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     import numpy as np
 
 THRUSTER, FIN = thruster.KIND, fin.KIND
-KINDS: dict[str, ModuleType] = {"thruster": thruster, "fin": fin}  # by their name in a vehicle file
+KINDS: dict[str, ModuleType] = {"fin": fin, "thruster": thruster}  # by their name in a vehicle file
 assert len({kind.KIND for kind in KINDS.values()} - {0}) == len(KINDS)  # each number names one kind
 
 
