@@ -59,4 +59,37 @@ def _thruster(thruster: Any, command: int, hull: Any) -> list[Part]:
     return [screw, Part(f"{thruster.name}_housing", "frame", housing, place)]
 
 
-DRAW: dict[str, Callable[[Any, int, Any], list[Part]]] = {"fin": _fin, "thruster": _thruster}
+def _azimuth(pod: Any, command: int, hull: Any) -> list[Part]:
+    """A strut on the hull, a ducted pod that turns about it, and a screw that the pod carries around."""
+    radius = pod.diameter_m / 2.0
+    hand = -1.0 if pod.hand == "left" else 1.0
+    body = mesh.rod((0.9 * radius, 0, 0), (-2.2 * radius, 0, 0), 0.3 * radius)
+    stock = mesh.rod((-1.4 * radius, 0, -0.9 * radius), (-1.4 * radius, 0, 0), 0.16 * radius)
+    housing = mesh.merge(mesh.duct(radius * 1.12, 0.7 * radius), body, stock)
+    place = (float(pod.position_m[0]), float(pod.position_m[1]), float(pod.position_m[2]))
+    parts = [
+        Part(f"{pod.name}_pod", "fin", housing, place, (0.0, 0.0, 1.0), command + 1),
+        Part(
+            pod.name,
+            "propeller",
+            mesh.propeller(radius),
+            place,
+            (hand, 0.0, 0.0),
+            command,
+            "spin",
+            f"{pod.name}_pod",
+        ),
+    ]
+    offset, skin = float(np.hypot(place[1], place[2])), hull_radius_at(hull, place[0])
+    if offset > skin:
+        inward = -np.array([0.0, place[1], place[2]]) / offset
+        strut = mesh.rod((0.0, 0.0, 0.0), inward * (offset - 0.9 * skin), 0.12 * radius)
+        parts.append(Part(f"{pod.name}_strut", "frame", strut, place))
+    return parts
+
+
+DRAW: dict[str, Callable[[Any, int, Any], list[Part]]] = {
+    "fin": _fin,
+    "thruster": _thruster,
+    "azimuth": _azimuth,
+}

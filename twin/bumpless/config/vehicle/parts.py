@@ -190,5 +190,29 @@ class Thruster(Screw):
         return (Command(self.name, self.name, "rpm", self.shaft_speed_min_rpm, self.shaft_speed_max_rpm),)
 
 
-Actuator = Fin | Thruster
-ACTUATORS = {"fin": Fin, "thruster": Thruster}  # by their name in a vehicle file
+@dataclass(frozen=True)
+class Azimuth(Screw):
+    """A screw in a pod that turns: at the angle 0 it pushes along x_b, at +90 deg along y_b."""
+
+    kind: str = choice("azimuth")
+    angle_max_deg: float = number(above=0, high=180)  # to either side
+    angle_rate_degps: float = number(above=0)
+    angle_time_constant_s: float = number(above=0)
+
+    @property
+    def direction(self) -> tuple[float, float, float]:
+        """Unit vector of thrust at the angle 0, in body axes."""
+        return (1.0, 0.0, 0.0)
+
+    @property
+    def commands(self) -> tuple[Command, ...]:
+        """The shaft speed, then the angle."""
+        speed, angle, limit = f"{self.name}_speed", f"{self.name}_angle", self.angle_max_deg
+        return (
+            Command(speed, self.name, "rpm", self.shaft_speed_min_rpm, self.shaft_speed_max_rpm),
+            Command(angle, self.name, "deg", -limit, limit),
+        )
+
+
+Actuator = Fin | Thruster | Azimuth
+ACTUATORS = {"fin": Fin, "thruster": Thruster, "azimuth": Azimuth}  # by their name in a vehicle file

@@ -19,13 +19,17 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 from bumpless.jit import inline
-from bumpless.physics.actuators import fin, thruster
+from bumpless.physics.actuators import azimuth, fin, thruster
 
 if TYPE_CHECKING:
     import numpy as np
 
-THRUSTER, FIN = thruster.KIND, fin.KIND
-KINDS: dict[str, ModuleType] = {"fin": fin, "thruster": thruster}  # by their name in a vehicle file
+THRUSTER, FIN, AZIMUTH = thruster.KIND, fin.KIND, azimuth.KIND
+KINDS: dict[str, ModuleType] = {  # by their name in a vehicle file
+    "fin": fin,
+    "thruster": thruster,
+    "azimuth": azimuth,
+}
 assert len({kind.KIND for kind in KINDS.values()} - {0}) == len(KINDS)  # each number names one kind
 
 
@@ -55,6 +59,8 @@ def wrench(model, i, u, nu_r):
         return fin.wrench(model, i, u, nu_r)
     if model.kind[i] == THRUSTER:
         return thruster.wrench(model, i, u, nu_r)
+    if model.kind[i] == AZIMUTH:
+        return azimuth.wrench(model, i, u, nu_r)
     raise ValueError("unknown kind of actuator")
 
 
@@ -65,6 +71,8 @@ def to_x(model, i, command):
         return fin.to_x(model, i, command)
     if model.kind[i] == THRUSTER:
         return thruster.to_x(model, i, command)
+    if model.kind[i] == AZIMUTH:
+        return azimuth.to_x(model, i, command)
     raise ValueError("unknown kind of actuator")
 
 
@@ -75,6 +83,8 @@ def to_command(model, i, x):
         return fin.to_command(model, i, x)
     if model.kind[i] == THRUSTER:
         return thruster.to_command(model, i, x)
+    if model.kind[i] == AZIMUTH:
+        return azimuth.to_command(model, i, x)
     raise ValueError("unknown kind of actuator")
 
 
@@ -90,6 +100,8 @@ def add_map(model, i, x, u_previous, alpha, nu_r, tau, column):
         fin.add_map(model, i, x, u_previous, alpha, nu_r, tau, column)
     elif model.kind[i] == THRUSTER:
         thruster.add_map(model, i, x, u_previous, alpha, nu_r, tau, column)
+    elif model.kind[i] == AZIMUTH:
+        azimuth.add_map(model, i, x, u_previous, alpha, nu_r, tau, column)
     else:
         raise ValueError("unknown kind of actuator")
 
@@ -104,6 +116,8 @@ def curve(model, i, x, u_previous, alpha, nu_r, weight, out, coupling):
         fin.curve(model, i, x, u_previous, alpha, nu_r, weight, out, coupling)
     elif model.kind[i] == THRUSTER:
         thruster.curve(model, i, x, u_previous, alpha, nu_r, weight, out, coupling)
+    elif model.kind[i] == AZIMUTH:
+        azimuth.curve(model, i, x, u_previous, alpha, nu_r, weight, out, coupling)
     else:
         raise ValueError("unknown kind of actuator")
 
@@ -115,6 +129,8 @@ def command_slope(model, i, x):
         return fin.command_slope(model, i, x)
     if model.kind[i] == THRUSTER:
         return thruster.command_slope(model, i, x)
+    if model.kind[i] == AZIMUTH:
+        return azimuth.command_slope(model, i, x)
     raise ValueError("unknown kind of actuator")
 
 
@@ -127,5 +143,7 @@ def add_missed(model, i, u, alpha, out):
         fin.add_missed(model, i, u, alpha, out)
     elif model.kind[i] == THRUSTER:
         thruster.add_missed(model, i, u, alpha, out)
+    elif model.kind[i] == AZIMUTH:
+        azimuth.add_missed(model, i, u, alpha, out)
     else:
         raise ValueError("unknown kind of actuator")
