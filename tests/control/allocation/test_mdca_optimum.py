@@ -155,7 +155,7 @@ def test_fins_brake_where_the_screw_alone_cannot(ts100, model):
     a["nu_r"][0], a["effectiveness"], a["Q"], a["R"], a["lam"] = 0.7, 1.0, model["controllable"], 0.01, 1e-3
     a["tau_d"][0] = -1.0
     a["u_lower"][:n], a["u_upper"][:n] = -0.3 * model["command_max"][:n], 0.3 * model["command_max"][:n]
-    propeller = int(np.argmax((model["kind"][:n] != FIN) * np.abs(model["direction"][:n, 0])))
+    propeller = int(np.argmax((model["T_nn"][:n] > 0.0) * np.abs(model["direction"][:n, 0])))
     a["u_lower"][propeller] = a["u_upper"][propeller] = to_command(model, propeller, 0.0)
     allocate_mdca(make_handle("osqp"), settings[0], model, a, w[0])
     fins = np.flatnonzero(model["kind"][:n] == FIN)
