@@ -20,7 +20,7 @@ def numpy_operations() -> SimpleNamespace:
                            minimum=np.minimum, maximum=np.maximum, mod=np.mod)  # fmt: skip
 
 
-def parts(model: np.record) -> SimpleNamespace:
+def parts(model: np.void) -> SimpleNamespace:
     """The vehicle's constants per actuator, (n,) or (n, 3), and who is a fin."""
     n = int(model["n_u"])
     if not np.isin(model["kind"][:n], (FIN, THRUSTER)).all():

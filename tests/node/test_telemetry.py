@@ -11,7 +11,7 @@ from bumpless.config.parameters import Parameters, default_parameters
 from bumpless.config.vehicle import Vehicle, load_vehicle
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.keys import TOPICS
-from bumpless.records import LOG
+from bumpless.sim.log import LOG
 from bumpless.telemetry import FlightState, Teller, make_context, messages
 from tests.node.flying import MISSIONS, START_NS, Flying
 
@@ -52,7 +52,7 @@ def test_every_field_is_in_the_units_of_the_contract(vehicle: Vehicle, parameter
     assert nav.speed_over_ground_mps == pytest.approx(np.linalg.norm(row["nu_hat"][:3]))
     assert guide.depth_reference_m == row["reference"][2]
     assert guide.attitude_reference.pitch_deg == pytest.approx(math.degrees(row["reference"][4]))
-    assert told["tlm/supervisor"].mode == row["mode"] + 1
+    assert told["tlm/supervisor"].mode == row["mode"]
     assert told["tlm/supervisor"].range_fr_lower_m == parameters.supervisor.range_fr_lower_m
     assert control.residual.k_nm == pytest.approx(row["tau_d"][3] - row["tau_c"][3])
     assert control.demanded_raw.n_nm == row["tau_plus"][5]

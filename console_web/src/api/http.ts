@@ -53,9 +53,11 @@ function refusal(status: number, statusText: string, raw: string): Refusal {
   return { ok: false, status, reason, problems };
 }
 
-export async function request<T>(method: string, path: string, body?: string | object): Promise<Answer<T>> {
+export async function request<T>(method: string, path: string, body?: string | Blob | object): Promise<Answer<T>> {
   const init: RequestInit = { method, signal: AbortSignal.timeout(TIMEOUT_MS), cache: "no-store" };
-  if (typeof body === "string") {
+  if (body instanceof Blob) {
+    init.body = body;
+  } else if (typeof body === "string") {
     init.body = body;
     init.headers = { "content-type": "text/plain; charset=utf-8" };
   } else if (body !== undefined) {

@@ -10,7 +10,7 @@ import { choose } from "./commands";
 
 interface Upload {
   name: string;
-  text: string;
+  file: Blob; // its bytes travel as they are
   refusal?: Refusal;
 }
 
@@ -18,10 +18,10 @@ const MAX_BYTES = 1_000_000;
 const CONFLICT = 409;
 const last = signal<Upload | undefined>(undefined);
 
-async function send(name: string, text: string, replace: boolean): Promise<void> {
+async function send(name: string, file: Blob, replace: boolean): Promise<void> {
   const query = `name=${encodeURIComponent(name)}${replace ? "&replace=1" : ""}`;
-  const answer = await request<MissionSummary>("POST", `api/missions?${query}`, text);
-  last.set(answer.ok ? { name, text } : { name, text, refusal: answer });
+  const answer = await request<MissionSummary>("POST", `api/missions?${query}`, file);
+  last.set(answer.ok ? { name, file } : { name, file, refusal: answer });
   if (!answer.ok) return;
   await missions.refresh();
   choose(answer.value.name);
@@ -31,10 +31,10 @@ async function take(file: File | undefined): Promise<void> {
   if (!file) return;
   if (file.size > MAX_BYTES) {
     const refusal: Refusal = { ok: false, status: 0, reason: "The file is larger than 1 MB: not a mission.", problems: [] };
-    last.set({ name: file.name, text: "", refusal });
+    last.set({ name: file.name, file, refusal });
     return;
   }
-  await send(file.name, await file.text(), false);
+  await send(file.name, file, false);
 }
 
 export function UploadZone() {
@@ -91,7 +91,7 @@ function Refused({ upload, refusal }: { upload: Upload; refusal: Refusal }) {
       <RefusalNotice title={`${upload.name} not stored.`} refusal={refusal} onClose={() => last.set(undefined)} />
       {refusal.problems.length > 0 && <ProblemTable problems={refusal.problems} />}
       {exists && (
-        <button type="button" class="action" onClick={() => void send(upload.name, upload.text, true)}>
+        <button type="button" class="action" onClick={() => void send(upload.name, upload.file, true)}>
           Replace the stored file
         </button>
       )}

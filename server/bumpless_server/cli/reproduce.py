@@ -29,6 +29,9 @@ def reproduce(
 
     Exit codes: 0 done, 1 the folder cannot be written, 2 no such part.
     """
+    from bumpless_server.cli.extras import need
+
+    need("paper", "scipy")
     from bumpless_paper.report.parts import PARTS, run_part, wanted_parts
     from bumpless_server.cli.progress import Progress
 

@@ -3,10 +3,10 @@
 import math
 from typing import TYPE_CHECKING
 
+from bumpless.contract.enums import MODE_LETTERS
+
 if TYPE_CHECKING:
     from bumpless.contract import bumpless_pb2 as pb
-
-MODES = {1: "F", 2: "R", 3: "H"}
 
 
 def table(head: list[str], rows: list[list[str]]) -> str:
@@ -58,7 +58,7 @@ def _times(m: "pb.Metrics") -> str:
 def _switches(m: "pb.Metrics") -> str:
     rows = [
         [
-            f"{MODES[s.from_mode]}→{MODES[s.to_mode]}",
+            f"{MODE_LETTERS[s.from_mode]}→{MODE_LETTERS[s.to_mode]}",
             f"{s.time_s:.2f}",
             number(s.command_step_normalised),
             number(s.command_step_raw),
@@ -71,7 +71,7 @@ def _switches(m: "pb.Metrics") -> str:
 def _modes(m: "pb.Metrics") -> str:
     rows = [
         [
-            MODES[mode.mode],
+            MODE_LETTERS[mode.mode],
             f"{mode.duration_s:.2f}",
             number(mode.surge_speed_mean_mps, 3),
             number(mode.depth_rms_m, 3),

@@ -11,10 +11,10 @@ from bumpless_server.console import Console
 from bumpless_server.scene.scene import Scene
 from bumpless_server.settings import Settings
 from bumpless_server.web import errors
-from bumpless_server.web.auth import Auth
+from bumpless_server.web.auth import Auth, session_cookie
 from bumpless_server.web.body_limit import BodyLimit
 from bumpless_server.web.guard import Guard
-from bumpless_server.web.routes import missions, page, parameters, runs, status, stream
+from bumpless_server.web.routes import help, missions, page, parameters, runs, status, stream
 
 log = logging.getLogger(__name__)
 
@@ -44,8 +44,9 @@ def create_app(settings: Settings, console: Console | None = None) -> FastAPI:
         app.include_router(part.router)
     app.state.scene = None
     if settings.scene != "off":
-        app.state.scene = scene = Scene(console.state, settings, light=settings.scene == "light")
+        app.state.scene = scene = Scene(console.state, session_cookie, light=settings.scene == "light")
         app.include_router(scene.router)
+    help.mount(app)
     page.mount(app)
     return app
 

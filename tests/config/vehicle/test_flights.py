@@ -7,13 +7,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from bumpless import records
 from bumpless.config.mission import Mission, parse_mission
 from bumpless.config.vehicle import load_vehicle
+from bumpless.contract.enums import COMPLETED, FORWARD, HOVER, REVERSE
 from bumpless.sim.twin import Result, Twin, simulate
 
 ROOT = Path(__file__).parents[3]
-F, R, H = records.FORWARD, records.REVERSE, records.HOVER
+F, R, H = FORWARD, REVERSE, HOVER
 MISSIONS = {
     "ts100": "docking",
     "bluerov2_heavy": "rov_docking",
@@ -74,7 +74,7 @@ def test_depth_by_pitch_without_heave() -> None:
 def test_what_cannot_stop_passes_through_the_observation_point() -> None:
     """Protects: the honest docking of such a vehicle: through a funnel's mouth, never below its speed."""
     result = flight("remus100")
-    assert result.phase == 4
+    assert result.phase == COMPLETED
     log = result.log
     assert log["nu"][log["time"] > 10.0, 0].min() > 1.4
     assert log["range_true"].min() < 0.4
@@ -85,7 +85,7 @@ def test_what_cannot_stop_circles_while_it_waits() -> None:
     vehicle = load_vehicle("remus100")
     twin = Twin(vehicle)
     twin.start(mission("remus100"), seed=1)
-    step: Callable[[], np.ndarray] = twin.step
+    step: Callable[[], np.void] = twin.step
     for _ in range(400):
         step()
     twin.pause()

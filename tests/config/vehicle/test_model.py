@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
+from bumpless.config.capacity import MAX_ACTUATORS
 from bumpless.config.vehicle import load_vehicle, vehicle_names
 from bumpless.physics.actuators import FIN, actuator_wrench, total_wrench
 from bumpless.physics.model import build_model
-from bumpless.records import MAX_ACTUATORS
 
 NAMES = vehicle_names()
 # Gao et al. 2026, eq. (3): nonzero entries of M for a hull with port-starboard symmetry

@@ -9,21 +9,23 @@ import pytest
 import viser
 from scipy.spatial import ConvexHull
 
+from bumpless.config.capacity import MAX_ACTUATORS as N
 from bumpless.config.mission import Mission, shipped_mission
 from bumpless.config.mission.model import Fault
 from bumpless.config.parameters import default_parameters, with_overrides
 from bumpless.config.vehicle import Vehicle, VehicleError, load_vehicle, parse_vehicle
 from bumpless.contract import bumpless_pb2 as pb
+from bumpless.contract.enums import FORWARD, HOVER, REVERSE
 from bumpless.control.allocation.bounds import command_bounds
 from bumpless.control.allocation.mdca import allocate_mdca
 from bumpless.control.allocation.qp import make_handle
+from bumpless.control.allocation.record import ALLOCATION_WORK, PROBLEM, SOLUTION
+from bumpless.control.settings import SETTINGS
 from bumpless.physics.actuators import total_wrench
 from bumpless.physics.envelope import attainable_sets, sampled_sets, select
 from bumpless.physics.model import build_model
-from bumpless.records import ALLOCATION_WORK, AUTOPILOT, FORWARD, HOVER, REVERSE, SETTINGS
-from bumpless.records import MAX_ACTUATORS as N
 from bumpless.sim.settings import fill_settings
-from bumpless.sim.twin import Result, simulate
+from bumpless.sim.twin import Result, one, simulate
 from bumpless.telemetry import make_context, messages
 from bumpless_server.scene import mesh
 from bumpless_server.scene.model import parts_of
@@ -96,19 +98,19 @@ def test_too_many_commands_and_names_taken_twice_are_refused() -> None:
 @pytest.fixture(scope="module")
 def answers() -> list[tuple[np.ndarray, np.ndarray]]:
     """(wanted, achieved) [X Y N] for jumps of the demand, each held for 8 s, from stopped pods on."""
-    s, a, w = (np.zeros(1, d) for d in (SETTINGS, AUTOPILOT, ALLOCATION_WORK))
-    fill_settings(s, twinpod(), default_parameters(twinpod()))
-    a[0]["Q"], a[0]["R"], a[0]["lam"], a[0]["effectiveness"] = [1, 1, 1, 0, 4, 4], 1.0, 1e-2, 1.0
-    a[0]["increment_price"] = 1.0
+    settings, p, solution, w = (one(d)[0] for d in (SETTINGS, PROBLEM, SOLUTION, ALLOCATION_WORK))
+    fill_settings(settings, twinpod(), default_parameters(twinpod()))
+    p["Q"], p["R"], p["lam"], p["effectiveness"] = [1, 1, 1, 0, 4, 4], 1.0, 1e-2, 1.0
+    p["increment_price"], p["warm"], p["dt"] = 1.0, 1, settings["dt"]
     handle, rng, found = make_handle("osqp"), np.random.default_rng(1), []
     for wanted in [np.array([0.0, 4.0, 0.0]), *rng.uniform([-6, -3, -1.5], [6, 3, 1.5], (40, 3))]:
-        a[0]["tau_d"][[0, 1, 5]] = wanted
+        p["tau_d"][[0, 1, 5]] = wanted
         for _ in range(160):
-            before = a[0]["u"].copy()
-            command_bounds(model(), before, s[0]["dt"], a[0]["u_lower"], a[0]["u_upper"], a[0]["du_max"])
-            allocate_mdca(handle, s[0], model(), a[0], w[0])
-            assert (np.abs(a[0]["u"] - before) <= a[0]["du_max"] * (1 + 1e-9)).all()
-        found.append((wanted, _wrench(a[0]["u"], np.zeros(6))[[0, 1, 5]]))
+            p["u_previous"] = solution["u"]
+            command_bounds(model(), p["u_previous"], p["dt"], p["u_lower"], p["u_upper"], p["du_max"])
+            allocate_mdca(handle, settings["allocation"], model(), p, solution, w)
+            assert (np.abs(solution["u"] - p["u_previous"]) <= p["du_max"] * (1 + 1e-9)).all()
+        found.append((wanted, _wrench(solution["u"], np.zeros(6))[[0, 1, 5]]))
     return found
 
 

@@ -1,13 +1,14 @@
 """Every kind of actuator, on every shipped vehicle: derivatives, decision variables, and refusals."""
 
-from dataclasses import replace
-from types import ModuleType
+from types import ModuleType, SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
 
-from bumpless.config.vehicle import VehicleError, load_vehicle, parse_vehicle, vehicle_names
-from bumpless.config.vehicle.parts import ACTUATORS
+from bumpless.config.capacity import MAX_ACTUATORS as N
+from bumpless.config.declare import parts_of, tag_of
+from bumpless.config.vehicle import Actuator, VehicleError, load_vehicle, parse_vehicle, vehicle_names
 from bumpless.control.allocation.curvature import residual_curvature
 from bumpless.control.allocation.wrench_map import wrench_map
 from bumpless.physics.actuators import (
@@ -18,16 +19,17 @@ from bumpless.physics.actuators import (
     command_slope,
     curve,
     dispatch,
+    fill_actuator,
     to_command,
     to_x,
     total_wrench,
 )
 from bumpless.physics.model import build_model
-from bumpless.records import MAX_ACTUATORS as N
 from bumpless_server.scene.actuators import DRAW, actuator_parts
 
 NAMES = vehicle_names()
 MODELS = {name: build_model(load_vehicle(name)) for name in NAMES}
+DECLARED = [tag_of(kind) for kind in parts_of(Actuator)]
 H = 1e-6
 
 
@@ -143,7 +145,7 @@ def test_what_easing_misses_is_the_difference_it_makes(name: str) -> None:
 
 def test_every_declared_kind_has_a_module_and_is_drawn() -> None:
     """Protects: a kind that files may name is known to model and scene, by a number of its own."""
-    assert set(ACTUATORS) == set(KINDS) == set(DRAW)
+    assert set(DECLARED) == set(KINDS) == set(DRAW)
     assert all(isinstance(kind, ModuleType) for kind in KINDS.values())
     assert len({kind.KIND for kind in KINDS.values()} | {0}) == len(KINDS) + 1
     assert len({kind.GROUP for kind in KINDS.values()}) == len(KINDS)
@@ -152,20 +154,18 @@ def test_every_declared_kind_has_a_module_and_is_drawn() -> None:
 def test_a_file_with_an_unknown_kind_is_refused() -> None:
     """Protects: the reader names the field and the kinds there are."""
     text = load_vehicle("ts100").text.replace('kind = "fin"', 'kind = "sail"', 1)
-    with pytest.raises(
-        VehicleError, match="actuators.0..kind = sail; must be one of " + ", ".join(ACTUATORS)
-    ):
+    with pytest.raises(VehicleError, match="kind = sail; must be one of " + ", ".join(DECLARED)):
         parse_vehicle(text, "sails.toml")
 
 
 def test_model_and_scene_refuse_an_unknown_kind() -> None:
     """Protects: nothing takes a kind it does not know for a thruster."""
-    vehicle = load_vehicle("ts100")
-    sail = replace(vehicle.actuators[0], kind="sail")
+    fin, hull = load_vehicle("ts100").actuators[0], load_vehicle("ts100").hull
+    sail: Any = SimpleNamespace(**vars(fin) | {"kind": "sail"}, commands=fin.commands)
     with pytest.raises(ValueError, match="delta_1: unknown kind of actuator 'sail'"):
-        build_model(replace(vehicle, actuators=(sail, *vehicle.actuators[1:])))
+        fill_actuator(MODELS["ts100"].copy(), 0, sail, 1000.0)
     with pytest.raises(ValueError, match="delta_1: unknown kind of actuator 'sail'"):
-        actuator_parts(sail, 0, vehicle.hull)
+        actuator_parts(sail, 0, hull)
 
 
 @pytest.mark.parametrize("number", [0, 99])

@@ -11,9 +11,11 @@ fins passes the observation point at its slowest speed and circles where it shou
 
 from math import asin, atan, cos, hypot, pi, sin, sqrt
 
+from bumpless.contract.enums import FORWARD, HOVER, REVERSE
+from bumpless.control.guidance_record import AALOS
 from bumpless.jit import jit
+from bumpless.jit.memory import floats
 from bumpless.physics.frames import direction, wrap
-from bumpless.records import AALOS, FORWARD, HOVER, REVERSE
 
 _RUNWAY = 14.0  # m added to the last leg after a missed approach: three turning radii of a slow torpedo
 _FULL_FLOW = 0.05  # m/s of inflow at which hover uses its whole cross-track law
@@ -23,25 +25,25 @@ _CRAB_MAX = 0.35  # sine of the largest crab angle: the target must stay in the 
 
 
 @jit
-def observation_point(plan, a, out):
-    """out (3,): the point to hover at, `standoff` before `a.target` against the approach heading."""
-    out[0] = a.target[0] - plan.standoff * cos(plan.target[3])
-    out[1] = a.target[1] - plan.standoff * sin(plan.target[3])
-    out[2] = a.target[2]
+def observation_point(target, heading, standoff, out):
+    """out[:3]: the point to hover at, `standoff` m before target (3,), NED, against the approach heading."""
+    out[0] = target[0] - standoff * cos(heading)
+    out[1] = target[1] - standoff * sin(heading)
+    out[2] = target[2]
 
 
 @jit
-def leg_ends(plan, a, point, start, end):
-    """Fill start and end (3,) of the active leg. Leg n_legs - 1 ends at the observation point; leg n_legs
-    leads back after a missed approach, past the last leg's start so that there is room to turn and align."""
+def leg_ends(plan, leg, point, start, end):
+    """Fill start and end (3,) of a leg. Leg n_legs - 1 ends at the observation point; leg n_legs leads
+    back after a missed approach, past the last leg's start so that there is room to turn and align."""
     last = plan.n_legs - 1
     for k in range(3):
-        if a.leg > last:
+        if leg > last:
             start[k], end[k] = point[k], plan.waypoint[last, k]
         else:
-            start[k] = plan.waypoint[a.leg, k]
-            end[k] = point[k] if a.leg == last else plan.waypoint[a.leg + 1, k]
-    if a.leg > last:
+            start[k] = plan.waypoint[leg, k]
+            end[k] = point[k] if leg == last else plan.waypoint[leg + 1, k]
+    if leg > last:
         dx, dy = end[0] - start[0], end[1] - start[1]
         stretch = _RUNWAY / max(hypot(dx, dy), 1e-6)
         end[0] += stretch * dx
@@ -49,41 +51,41 @@ def leg_ends(plan, a, point, start, end):
 
 
 @jit
-def steer(settings, a, path_heading, y_e, adapt):
-    """psi_d of the chosen law, rad; updates the bias estimate a.b. y_e: cross-track error, m."""
+def steer(dt, settings, path_heading, y_e, adapt, guidance):
+    """psi_d of the chosen law, rad; updates guidance.b where it may `adapt`. y_e: cross-track error, m."""
     delta = settings.look_ahead
     if settings.law == AALOS:
         if adapt:
-            a.b += settings.dt * settings.gamma * delta * y_e / sqrt(delta * delta + y_e * y_e)
-            a.b = min(max(a.b, -0.6), 0.6)
-        return wrap(path_heading - a.b - atan(y_e / delta))
+            guidance.b += dt * settings.gamma * delta * y_e / sqrt(delta * delta + y_e * y_e)
+            guidance.b = min(max(guidance.b, -0.6), 0.6)
+        return wrap(path_heading - guidance.b - atan(y_e / delta))
     if adapt:
-        a.b += settings.dt * settings.gamma * y_e
-        a.b = min(max(a.b, -delta), delta)
-    return wrap(path_heading - atan((y_e + a.b) / delta))
+        guidance.b += dt * settings.gamma * y_e
+        guidance.b = min(max(guidance.b, -delta), delta)
+    return wrap(path_heading - atan((y_e + guidance.b) / delta))
 
 
 @jit
-def crab(settings, a, heading):
+def crab(settings, situation, current, heading):
     """Angle (rad) by which to turn into the estimated current so that the track keeps `heading`.
 
     In H the hull lies along the current, bow or stern into it, as far as the camera's view allows.
     """
-    across = -a.current[0] * sin(heading) + a.current[1] * cos(heading)
-    if a.mode == HOVER or a.holding == 1:
-        along = a.current[0] * cos(heading) + a.current[1] * sin(heading)
+    across = -current[0] * sin(heading) + current[1] * cos(heading)
+    if situation.mode == HOVER:
+        along = current[0] * cos(heading) + current[1] * sin(heading)
         along = along if along > _ASTERN else min(along, -_ASTERN)
         return settings.crab_gain * atan(min(max(across / along, -_CRAB_MAX), _CRAB_MAX))
-    flow = max(a.nu_r[0], _FULL_FLOW)
+    flow = max(situation.u_r, _FULL_FLOW)
     angle = asin(min(max(across / flow, -_CRAB_MAX), _CRAB_MAX))
-    return -settings.crab_gain * min(max(a.nu_r[0] / _FULL_FLOW, 0.0), 1.0) * angle
+    return -settings.crab_gain * min(max(situation.u_r / _FULL_FLOW, 0.0), 1.0) * angle
 
 
 @jit
-def least_speed(settings, a, heading):
+def least_speed(settings, current, heading):
     """Speed over ground along `heading` at which the largest crab angle just makes good the drift, m/s."""
-    along = a.current[0] * cos(heading) + a.current[1] * sin(heading)
-    across = -a.current[0] * sin(heading) + a.current[1] * cos(heading)
+    along = current[0] * cos(heading) + current[1] * sin(heading)
+    across = -current[0] * sin(heading) + current[1] * cos(heading)
     return settings.crab_gain * (along + abs(across) * sqrt(1.0 - _CRAB_MAX * _CRAB_MAX) / _CRAB_MAX)
 
 
@@ -96,119 +98,126 @@ def approach(value, goal, step):
 
 
 @jit
-def follow_path(settings, plan, a, point, start, end):
+def next_leg(settings, situation, last, left, guidance):
+    """In F: the next leg near a leg's end; back for another approach when the target was passed unseen."""
+    if guidance.leg < last and left <= settings.look_ahead * 0.5:
+        guidance.leg, guidance.b = guidance.leg + 1, 0.0
+    elif guidance.leg == last and left < -settings.look_ahead and situation.detected == 0:
+        guidance.leg, guidance.b = last + 1, 0.0
+    elif guidance.leg > last and left <= settings.look_ahead:
+        guidance.leg, guidance.b = last, 0.0
+
+
+@jit
+def follow_path(dt, settings, plan, navigation, situation, guidance, out):
     """References in F and R. Returns (u goal, z goal, psi_d)."""
-    last = plan.n_legs - 1
-    if a.mode != FORWARD and a.leg != last:
-        a.leg = last
-    leg_ends(plan, a, point, start, end)
+    start, end, last = floats(3), floats(3), plan.n_legs - 1
+    eta, current = navigation.eta, navigation.current
+    if situation.mode != FORWARD and guidance.leg != last:
+        guidance.leg = last
+    leg_ends(plan, guidance.leg, situation.station, start, end)
     dx, dy = end[0] - start[0], end[1] - start[1]
     length = max(hypot(dx, dy), 1e-6)
     heading = direction(dx, dy) if length > 0.05 else plan.target[3]
     ch, sh = cos(heading), sin(heading)
-    s = (a.eta[0] - start[0]) * ch + (a.eta[1] - start[1]) * sh
-    y_e = -(a.eta[0] - start[0]) * sh + (a.eta[1] - start[1]) * ch
+    s = (eta[0] - start[0]) * ch + (eta[1] - start[1]) * sh
+    y_e = -(eta[0] - start[0]) * sh + (eta[1] - start[1]) * ch
     left = length - s
-    a.cross_track, a.along_track = y_e, left
-    if a.mode == FORWARD:
-        if a.leg < last and left <= settings.look_ahead * 0.5:
-            a.leg, a.b = a.leg + 1, 0.0
-        elif a.leg == last and left < -settings.look_ahead and a.detected == 0:
-            a.leg, a.b = last + 1, 0.0
-        elif a.leg > last and left <= settings.look_ahead:
-            a.leg, a.b = last, 0.0
-    if a.mode == REVERSE:
+    out.cross_track, out.along_track = y_e, left
+    if situation.mode == FORWARD:
+        next_leg(settings, situation, last, left, guidance)
+    if situation.mode == REVERSE:
         near = min(max(left / _NEAR, 0.0), 1.0)
         u_goal = settings.reverse_slope * left + near * settings.reverse_offset
         if left > 0.0:
-            u_goal = max(u_goal, near * least_speed(settings, a, heading))
+            u_goal = max(u_goal, near * least_speed(settings, current, heading))
         u_goal = min(max(u_goal, -0.5 * settings.reverse_max), settings.reverse_max)
     else:
-        u_goal = plan.speed[min(a.leg, last)]
+        u_goal = plan.speed[min(guidance.leg, last)]
         # legs give the speed through water
-        u_goal += settings.crab_gain * (a.current[0] * ch + a.current[1] * sh)
-        if a.cycle == 0:
-            a.reference[0] = u_goal if settings.crab_gain > 0.0 else a.reference[0]
-        if a.leg >= last and a.range < settings.d_fr_l:
+        u_goal += settings.crab_gain * (current[0] * ch + current[1] * sh)
+        if situation.first == 1 and settings.crab_gain > 0.0:
+            guidance.reference[0] = u_goal
+        if guidance.leg >= last and situation.slow == 1:
             u_goal = min(u_goal, settings.reverse_max)
     share = min(max((s + settings.look_ahead) / length, 0.0), 1.0)
     z_goal = start[2] + share * (end[2] - start[2])
-    if a.mode == REVERSE and left < 0.0:
-        y_e *= min(max(a.nu_r[0] / _FULL_FLOW, -1.0), 1.0)  # going astern turns the law round
-    psi_d = steer(settings, a, heading, y_e, a.kappa >= 1.0)
-    return u_goal, z_goal, wrap(psi_d + crab(settings, a, heading))
+    if situation.mode == REVERSE and left < 0.0:
+        y_e *= min(max(situation.u_r / _FULL_FLOW, -1.0), 1.0)  # going astern turns the law round
+    psi_d = steer(dt, settings, heading, y_e, situation.adapt == 1, guidance)
+    return u_goal, z_goal, wrap(psi_d + crab(settings, situation, current, heading))
 
 
 @jit
-def hold_station(settings, plan, a, x, y, z, heading, controllable_sway):
-    """References in H about a NED point. Returns (u goal, v goal, z goal, psi_d)."""
-    dx, dy = x - a.eta[0], y - a.eta[1]
-    c, s = cos(a.eta[5]), sin(a.eta[5])
+def hold_station(settings, navigation, situation, sway, out):
+    """References in H about the station. Returns (u goal, v goal, psi_d). sway: the vehicle can push
+    sideways."""
+    eta, station = navigation.eta, situation.station
+    heading = station[3]
+    dx, dy = station[0] - eta[0], station[1] - eta[1]
+    c, s = cos(eta[5]), sin(eta[5])
     ahead, aside = c * dx + s * dy, -s * dx + c * dy
     limit = settings.hover_max
     u_goal = min(max(settings.hover_gain * ahead, -limit), limit)
     v_goal = min(max(settings.hover_gain * aside, -limit), limit)
     ch, sh = cos(heading), sin(heading)
     y_e = dx * sh - dy * ch
-    a.cross_track, a.along_track = y_e, dx * ch + dy * sh
+    out.cross_track, out.along_track = y_e, dx * ch + dy * sh
     psi_d = heading
-    if not controllable_sway:
-        flow = min(max(a.nu_r[0] / _FULL_FLOW, -1.0), 1.0)
+    if not sway:
+        flow = min(max(situation.u_r / _FULL_FLOW, -1.0), 1.0)
         psi_d = wrap(heading - settings.hover_cross_gain * flow * atan(y_e / settings.look_ahead))
-        psi_d = wrap(psi_d + crab(settings, a, heading))
-    return u_goal, v_goal, z, psi_d
+        psi_d = wrap(psi_d + crab(settings, situation, navigation.current, heading))
+    return u_goal, v_goal, psi_d
 
 
 @jit
-def circle(settings, a, x, y):
+def circle(settings, eta, x, y):
     """psi_d of a clockwise circle of two look-aheads' radius about a NED point, for what cannot stop."""
-    dx, dy = x - a.eta[0], y - a.eta[1]
+    dx, dy = x - eta[0], y - eta[1]
     outside = hypot(dx, dy) - 2.0 * settings.look_ahead
     return wrap(direction(dx, dy) - 0.5 * pi + atan(outside / settings.look_ahead))
 
 
 @jit
-def pitch_for_depth(settings, a):
-    """theta_d by line of sight in the vertical plane, rad; learns the trim pitch a.alpha. 0 when depth is
-    held by heave. It fades below the schedule speed: without flow, pitch does not move the vehicle.
+def pitch_for_depth(dt, settings, depth, u_r, guidance):
+    """theta_d by line of sight in the vertical plane, rad; learns the trim pitch guidance.alpha. 0 when depth
+    is held by heave. It fades below the schedule speed: without flow, pitch does not move the vehicle.
 
     Source: Fossen & Aguiar 2024, the vertical half of their 3-D law.
     """
     delta = settings.pitch_look_ahead
     if delta <= 0.0:
         return 0.0
-    share = min(max(a.nu_r[0] / max(settings.schedule_speed, 1e-3), 0.0), 1.0)
-    z_e, limit = a.eta[2] - a.reference[2], settings.pitch_max
-    wanted = a.alpha + atan(z_e / delta)
+    share = min(max(u_r / max(settings.schedule_speed, 1e-3), 0.0), 1.0)
+    z_e, limit = depth - guidance.reference[2], settings.pitch_max
+    wanted = guidance.alpha + atan(z_e / delta)
     if abs(wanted) < limit or wanted * z_e < 0.0:
-        a.alpha += settings.dt * share * settings.pitch_gamma * delta * z_e / sqrt(delta * delta + z_e * z_e)
+        guidance.alpha += dt * share * settings.pitch_gamma * delta * z_e / sqrt(delta * delta + z_e * z_e)
     return share * min(max(wanted, -limit), limit)
 
 
 @jit
-def guide(settings, plan, a, point, work):
-    """Fill a.reference (6,) = [u_d v_d z_d phi_d theta_d psi_d] for the autopilot record `a`.
+def guide(dt, settings, plan, navigation, situation, sway, guidance, out):
+    """Advance guidance.reference (6,) = [u_d v_d z_d phi_d theta_d psi_d].
 
-    point (3,): observation point, NED. work: scratch, at least 6 floats.
+    settings: GUIDANCE_SETTINGS; navigation: NAVIGATION_STATE; sway: the vehicle can push sideways; out:
+    GUIDANCE_OUTPUT.
     """
     v_goal = 0.0
-    if a.holding == 1:
-        h = a.hold_point
-        u_goal, v_goal, z_goal, psi_d = hold_station(settings, plan, a, h[0], h[1], h[2], h[3], a.sway == 1)
-        if settings.speed_min > 0.0:
-            psi_d = circle(settings, a, h[0], h[1])
-    elif a.mode == HOVER:
-        u_goal, v_goal, z_goal, psi_d = hold_station(
-            settings, plan, a, point[0], point[1], point[2], plan.target[3], a.sway == 1
-        )
+    if situation.mode == HOVER:
+        u_goal, v_goal, psi_d = hold_station(settings, navigation, situation, sway, out)
+        z_goal = situation.station[2]
+        if situation.holding == 1 and settings.speed_min > 0.0:
+            psi_d = circle(settings, navigation.eta, situation.station[0], situation.station[1])
     else:
-        u_goal, z_goal, psi_d = follow_path(settings, plan, a, point, work[0:3], work[3:6])
-    r = a.reference
+        u_goal, z_goal, psi_d = follow_path(dt, settings, plan, navigation, situation, guidance, out)
+    r = guidance.reference
     u_goal = max(u_goal, settings.speed_min) if settings.speed_min > 0.0 else u_goal
-    r[0] = approach(r[0], u_goal, settings.acceleration * settings.dt)
-    r[1] = approach(r[1], v_goal, settings.acceleration * settings.dt) if a.sway == 1 else 0.0
-    r[2] = approach(r[2], z_goal, settings.depth_rate * settings.dt)
+    r[0] = approach(r[0], u_goal, settings.acceleration * dt)
+    r[1] = approach(r[1], v_goal, settings.acceleration * dt) if sway else 0.0
+    r[2] = approach(r[2], z_goal, settings.depth_rate * dt)
     r[3] = 0.0
-    r[4] = pitch_for_depth(settings, a)
-    turn = settings.heading_rate * settings.dt
+    r[4] = pitch_for_depth(dt, settings, navigation.eta[2], situation.u_r, guidance)
+    turn = settings.heading_rate * dt
     r[5] = wrap(r[5] + approach(0.0, wrap(psi_d - r[5]), turn))

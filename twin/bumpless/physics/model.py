@@ -1,17 +1,18 @@
-"""Vehicle -> model_record.MODEL: the numbers that compiled code works on, SI, radians and rev/s."""
+"""Vehicle -> MODEL record: the numbers that compiled code works on, SI, radians and rev/s."""
 
 import numpy as np
 from numpy.typing import NDArray
 
-from bumpless.config.vehicle import WRENCH, Vehicle
+from bumpless.config.vehicle import Vehicle
 from bumpless.config.vehicle.parts import Mass
+from bumpless.contract.units import WRENCH
 from bumpless.physics.actuators import fill_actuator
 from bumpless.physics.hydrodynamics import hull_coefficients
 from bumpless.physics.model_record import MODEL
 
 
 def build_model(vehicle: Vehicle) -> np.record:
-    """One record of type `model_record.MODEL`; unused entries are zero.
+    """One record of type MODEL; unused entries are zero.
 
     Raises: ValueError when an actuator's kind is not known.
     """

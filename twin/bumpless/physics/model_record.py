@@ -1,4 +1,6 @@
-"""The vehicle as compiled code reads it: rigid body, water forces and actuators. See `bumpless.records`."""
+"""The vehicle as compiled code reads it: rigid body, water forces and actuators. One compilation serves every
+vehicle: capacity is fixed (`MAX_ACTUATORS`), unused entries are zero. Order of actuators: the vehicle file's.
+"""
 
 import numpy as np
 

@@ -1,17 +1,15 @@
 """What turns a LOG row into messages besides the row itself: names, units, bounds, thresholds."""
 
-import math
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
 from bumpless.contract import bumpless_pb2 as pb
+from bumpless.contract.units import EDGE_PER_SI
 
 if TYPE_CHECKING:
     from bumpless.config.parameters import Parameters, SupervisorParameters
     from bumpless.config.vehicle import Vehicle
-
-EDGE_PER_SI = {"deg": 180.0 / math.pi, "rpm": 60.0}  # of one radian, of one revolution per second
 
 
 @dataclass(frozen=True)

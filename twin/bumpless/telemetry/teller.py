@@ -48,6 +48,7 @@ class Teller:
             if topic.rate_hz is not None
         }
         self._told = 0
+        self._stamp: pb.Stamp | None = None  # of the last cycle
         self._state: status.FlightState | None = None
         self._phase = pb.MISSION_PHASE_UNSPECIFIED
         self._end_reason = ""
@@ -75,6 +76,7 @@ class Teller:
             self._context = self._context.with_parameters(state.parameters)
         own = messages(row, self._context, time_ns, cycle)
         stamp: pb.Stamp = own[0][1].stamp  # type: ignore[attr-defined]
+        self._stamp = stamp
         phase = int(row["phase"])
         events = [("event", self._event(stamp, one)) for one in happened]
         new_run = self._state is None or state.run_id != self._state.run_id
@@ -90,6 +92,13 @@ class Teller:
         self._state, self._phase = state, phase
         self._told += 1
         yield from [*slow, *events, *own] if new_run else [*events, *own, *slow]
+
+    def ended(self, state: status.FlightState, phase: int) -> Message:
+        """The status that says with which phase the run has ended, for one without a cycle after its last."""
+        assert self._stamp is not None
+        message = self._slow_message("mission", self._stamp, state, phase)
+        assert message is not None
+        return message
 
     def _slow(self, stamp: pb.Stamp, state: status.FlightState, phase: int) -> Iterator[tuple[str, Message]]:
         before = self._state

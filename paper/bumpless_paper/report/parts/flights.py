@@ -5,11 +5,10 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from bumpless.metrics.run import EDGE_PER_SI
+from bumpless.contract.units import DEG, EDGE_PER_SI, WRENCH, WRENCH_UNITS
 from bumpless.sim.twin import Result
 from bumpless_paper.report.content import Figure, Panel, Series
 
-WRENCH = (("X", "N"), ("Y", "N"), ("Z", "N"), ("K", "N·m"), ("M", "N·m"), ("N", "N·m"))
 TIME = "time (s)"
 
 
@@ -48,9 +47,9 @@ def pose_figure(id: str, title: str, caption: str, runs: Mapping[str, Result]) -
     """Depth, roll, pitch, heading and surge speed over time."""
     rows: Sequence[tuple[str, str, int, float]] = (
         ("depth (m)", "eta", 2, 1.0),
-        ("roll (°)", "eta", 3, 180 / np.pi),
-        ("pitch (°)", "eta", 4, 180 / np.pi),
-        ("yaw (°)", "eta", 5, 180 / np.pi),
+        ("roll (°)", "eta", 3, DEG),
+        ("pitch (°)", "eta", 4, DEG),
+        ("yaw (°)", "eta", 5, DEG),
         ("surge (m/s)", "nu", 0, 1.0),
     )
     last = list(runs.values())[-1]
@@ -88,7 +87,7 @@ def command_figure(id: str, title: str, caption: str, runs: Mapping[str, Result]
 def wrench_figure(id: str, title: str, caption: str, run: Result) -> Figure:
     """Demanded and true wrench of one run, controllable components only."""
     panels = []
-    for k, (name, unit) in enumerate(WRENCH):
+    for k, (name, unit) in enumerate(zip(WRENCH, WRENCH_UNITS, strict=True)):
         if name in run.vehicle.controllable:
             series = [
                 Series("demanded", run.log["time"], run.log["tau_d"][:, k], 1),

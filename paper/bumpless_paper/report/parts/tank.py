@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from bumpless.config.mission import shipped_mission
 from bumpless.config.vehicle import load_vehicle
-from bumpless.records import HOVER
+from bumpless.contract.enums import HOVER
 from bumpless.sim.twin import Result, simulate
 from bumpless_paper.report.content import Comparison, Figure, Grid, Part
 from bumpless_paper.report.parts import Progress

@@ -2,6 +2,7 @@
 
 from bumpless.config.mission import shipped_mission
 from bumpless.config.vehicle import load_vehicle
+from bumpless.contract.enums import MODE_LETTERS
 from bumpless.sim.twin import simulate
 from bumpless_paper.report.content import Figure, Grid, Part
 from bumpless_paper.report.parts import Progress
@@ -12,16 +13,16 @@ FLIGHTS = {"ts100": "docking", "bluerov2_heavy": "rov_docking", "remus100": "rem
 
 def part(progress: Progress) -> Part:
     """Fly each vehicle's docking mission."""
-    from bumpless.metrics import Run, metrics_of
+    from bumpless.metrics import Columns, metrics_of
 
     rows, hashes = [], {}
     figures: list[Figure] = []
     for k, (name, flight) in enumerate(FLIGHTS.items()):
         vehicle, mission = load_vehicle(name), shipped_mission(flight)
         result = simulate(mission, vehicle)
-        m = metrics_of(Run.from_log(result.log, len(vehicle.commands)), vehicle)
-        flown = [int(result.log["mode"][0]), *(s.to_mode - 1 for s in m.switches)]
-        modes = "→".join("FRH"[mode] for mode in flown)
+        m = metrics_of(Columns.from_log(result.log, len(vehicle.commands)), vehicle)
+        flown = [int(result.log["mode"][0]), *(s.to_mode for s in m.switches)]
+        modes = "→".join(MODE_LETTERS[mode] for mode in flown)
         rows.append(
             [
                 vehicle.name,

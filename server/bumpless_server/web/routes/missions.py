@@ -62,9 +62,8 @@ def mission(console: Served, name: str) -> dict[str, Any]:
 
 @router.post("/missions", status_code=201)
 async def upload(console: Served, request: Request, name: str, replace: bool = False) -> JSONResponse:
-    """Check and keep a mission file, sent as the body's text."""
-    text = await text_of(request)
-    file = await run_in_threadpool(console.missions.save, name, text, replace)
+    """Check and keep a mission file, sent as the body's bytes; they are kept as they are."""
+    file = await run_in_threadpool(console.missions.save, name, await request.body(), replace)
     return JSONResponse(file.as_dict(with_text=True), 201, {"location": f"/api/missions/{file.name}"})
 
 

@@ -8,9 +8,9 @@ from typing import Any
 from fastapi import APIRouter, Response
 from fastapi.responses import FileResponse, StreamingResponse
 
+from bumpless.runs.names import RECORDING
+from bumpless.runs.writer import RunWriter
 from bumpless_server.runs.catalogue import Row
-from bumpless_server.runs.run_file import RunFile
-from bumpless_server.runs.run_summary import RECORDING
 from bumpless_server.web.errors import Refusal
 from bumpless_server.web.routes import Served
 
@@ -29,7 +29,7 @@ def _finished(row: Row) -> dict[str, Any]:
     return told | {"started": _started(told.pop("started_ns"))}
 
 
-def _going_on(run: RunFile) -> dict[str, Any]:
+def _going_on(run: RunWriter) -> dict[str, Any]:
     status = run.status
     return {
         "id": run.id,
@@ -46,7 +46,7 @@ def _going_on(run: RunFile) -> dict[str, Any]:
     }
 
 
-def _going_on_of(console: Served, run: str) -> RunFile | None:
+def _going_on_of(console: Served, run: str) -> RunWriter | None:
     recording = console.recorder.recording
     return recording if recording is not None and recording.id == run else None
 

@@ -3,7 +3,7 @@
 Decision variables x are bound-normalised so that every actuator answers from rest; each kind says how, see
 `bumpless.physics.actuators`. Bounds in x are exact images of the bounds on the commands.
 
-Source: Gao et al. 2026, eq. (27)-(34), (46), (50).
+Source: Gao et al. 2026, eq. (21)-(22), (27)-(36), (46), (50).
 """
 
 from bumpless.jit import jit

@@ -1,0 +1,7 @@
+"""The order of rows: wrench components, controlled errors, axes."""
+
+WRENCH = ("X", "Y", "Z", "K", "M", "N")  # in body axes about O_b
+ERRORS = ("u", "v", "z", "phi", "theta", "psi")  # e of the PID
+NED = ("north", "east", "down")
+BODY = ("x", "y", "z")
+MODES = ("forward", "reverse", "hover")  # the place of each is its number in the compiled world
