@@ -12,6 +12,7 @@ PY := $(BIN)/python
 UV := $(BIN)/uv pip install --quiet --python $(PY)
 NPM := $(PY) hatch_build.py npm
 DONE := .venv/.make
+CORES := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
 TWIN := $(shell find twin paper -name '*.py' -o -name '*.toml')
 GENERATED = twin/bumpless/contract/bumpless_pb2.py twin/bumpless/contract/bumpless_pb2.pyi $(wildcard console_web/src/gen/*)
 
@@ -22,11 +23,16 @@ help:  ## what each command does
 run: $(DONE)/compiled console  ## install what is missing, start server and vehicle, print the address
 	@exec $(BIN)/bumpless serve $(ARGS)
 
-test: $(DONE)/compiled $(DONE)/dev console chromium  ## the whole suite, browser included (ARGS="-k docking")
+test: $(DONE)/compiled $(DONE)/dev console chromium test-console  ## the whole suite, browser included (ARGS="-k docking")
 	@$(BIN)/pytest $(ARGS)
 
 CHECKS := check-types check-console check-style check-imports check-results check-figures check-containers check-gen check-docs check-declared check-leaks
-CORES := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
+test-fast: $(DONE)/compiled $(DONE)/dev test-console  ## the tests that open no browser and fly no study, side by side
+	@$(BIN)/pytest -q -m "not slow" -n $(CORES) --dist loadfile $(ARGS)
+
+test-console: $(DONE)/build  ## the console's logic, without a browser: seconds
+	@$(NPM) console_web test --silent
+
 check:  ## lint, types, import rules, generated files, containers, leaks; seconds
 	@$(MAKE) --no-print-directory --output-sync=target -j$(CORES) $(CHECKS)
 
@@ -84,6 +90,8 @@ gen: $(DONE)/dev $(DONE)/project gen-code  ## generate the contract's code, the 
 gen-code: $(DONE)/dev
 	$(PY) -m grpc_tools.protoc -I twin/bumpless/contract --python_out=twin/bumpless/contract --pyi_out=twin/bumpless/contract bumpless.proto
 	PYTHON=$(CURDIR)/$(PY) $(NPM) console_web run gen --silent
+	$(PY) -m bumpless_server.web.generate console_web/src/gen build/openapi.json
+	$(NPM) .ci exec --offline -- openapi-typescript ../build/openapi.json --default-non-nullable=false --output ../console_web/src/gen/api.ts
 
 MINUTES ?= 10
 results: $(DONE)/compiled  ## reproduce the paper and renew docs/results.md
@@ -100,9 +108,10 @@ bench: $(DONE)/compiled $(DONE)/dev $(DONE)/bench console  ## measure every spee
 bench-live: $(DONE)/compiled $(DONE)/dev console  ## a live node beside a loaded server (MINUTES=10)
 	$(PY) -m tests.bench.live_node --minutes $(MINUTES) --streams 5
 
-format: $(DONE)/dev  ## let ruff format and sort imports
+format: $(DONE)/dev  ## let ruff and biome format and sort imports
 	$(BIN)/ruff check --select I --fix .
 	$(BIN)/ruff format .
+	$(NPM) console_web run format --silent
 
 console: $(DONE)/build
 	@$(PY) hatch_build.py
@@ -164,5 +173,5 @@ $(DONE)/compiled: $(DONE)/project $(TWIN)
 	@$(PY) -m bumpless.sim.warm_up missions/docking.yaml
 	@touch $@
 
-.PHONY: help run test check check-style check-imports check-types check-test-types check-console check-containers check-gen \
+.PHONY: help run test test-fast test-console check check-style check-imports check-types check-test-types check-console check-containers check-gen \
 	check-leaks check-results check-figures check-docs check-declared gen gen-code docs release results bench bench-live format console chromium lock clean

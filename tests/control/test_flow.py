@@ -9,7 +9,7 @@ from bumpless.config.parameters import with_overrides
 from bumpless.config.vehicle import Vehicle
 from bumpless.control.allocation.wrench_map import wrench_map
 from bumpless.control.flow import see_flow, smooth_flow
-from bumpless.control.guidance_record import GUIDANCE_SETTINGS
+from bumpless.control.guidance.record import GUIDANCE_SETTINGS
 from bumpless.sim.twin import parameters_for, simulate
 
 DRIFTING = np.array([0.4, 0.03, -0.02, 0.01, 0.02, -0.03])

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from bumpless.control.guidance_record import GUIDANCE_SETTINGS
+from bumpless.control.guidance.record import GUIDANCE_SETTINGS
 from bumpless.control.navigation import CLOCK, NAVIGATION_OUTPUT, NAVIGATION_STATE, navigate
 from bumpless.control.pid import ERRORS, smooth_errors
 from bumpless.physics.sensors import MEASUREMENT, SENSORS

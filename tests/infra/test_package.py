@@ -43,6 +43,15 @@ def test_wheel_carries_data_missions_console_and_help(wheel: zipfile.ZipFile) ->
     assert wanted <= names
 
 
+def test_wheel_carries_the_page_compressed(wheel: zipfile.ZipFile) -> None:
+    """Protects thin links: the server compresses nothing itself, it sends what the build has put there."""
+    names = set(wheel.namelist())
+    scripts = {name for name in names if name.startswith("bumpless_server/static/assets/index-")}
+    whole = {name for name in scripts if name.endswith((".js", ".css"))}
+    assert len(whole) == 2
+    assert scripts == {name + ending for name in whole for ending in ("", ".br", ".gz")}
+
+
 def test_wheel_carries_nothing_else(wheel: zipfile.ZipFile) -> None:
     """Tests, Node modules, recorded data and caches stay at home."""
     tops = {name.split("/")[0] for name in wheel.namelist()}

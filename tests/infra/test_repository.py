@@ -35,7 +35,7 @@ LOCKS = {
 }
 # the user fixed these as the project's core packages
 CORE = {"fastapi", "uvicorn", "viser", "numpy", "osqp", "eclipse-zenoh", "mcap", "pytest"}
-GENERATED = {"bumpless_pb2.py", "bumpless_pb2.pyi", "bumpless_pb.ts"}
+GENERATED = {"bumpless_pb2.py", "bumpless_pb2.pyi", "bumpless_pb.ts", "api.ts", "house.ts"}
 
 
 def pins(lock: str) -> dict[str, set[Version]]:

@@ -5,6 +5,7 @@ import io
 from hypothesis import given
 from hypothesis import strategies as st
 from mcap._chunk_builder import ChunkBuilder
+from mcap.data_stream import RecordBuilder
 from mcap.records import Message
 from mcap.writer import Writer
 
@@ -21,6 +22,14 @@ MESSAGES = st.builds(
 )
 
 
+def written(chunk: ChunkBuilder) -> bytes:
+    """The index records of a chunk."""
+    stream = RecordBuilder()
+    for index in chunk.message_indices.values():
+        index.write(stream)
+    return stream.end()
+
+
 @given(st.lists(MESSAGES, max_size=20))
 def test_a_quick_chunk_is_mcaps_chunk(messages: list[Message]) -> None:
     """Protects: bytes, index and times of a chunk, whatever is in it."""
@@ -28,7 +37,7 @@ def test_a_quick_chunk_is_mcaps_chunk(messages: list[Message]) -> None:
     for message in messages:
         quick.add_message(message)
         plain.add_message(message)
-    assert quick.message_indices == plain.message_indices
+    assert written(quick) == written(plain)
     assert quick.num_messages == plain.num_messages and quick.count == plain.count
     assert (quick.message_start_time, quick.message_end_time) == (
         plain.message_start_time,

@@ -7,7 +7,7 @@ from html import escape
 import numpy as np
 from numpy.typing import NDArray
 
-from bumpless.contract.enums import MODE_LETTERS
+from bumpless.contract.modes import MODE_LETTERS
 from bumpless_paper.report.content import Panel, Series
 from bumpless_paper.report.ticks import decades, number, ticks
 

@@ -11,7 +11,8 @@ import itertools
 import numpy as np
 from numpy.typing import NDArray
 
-from bumpless.contract.enums import FORWARD, HOVER, MODE_LETTERS, REVERSE
+from bumpless.contract.enums import FORWARD, HOVER, REVERSE
+from bumpless.contract.modes import MODE_LETTERS
 from bumpless.contract.units import DEG, RPM
 from bumpless.sim.twin import Result
 

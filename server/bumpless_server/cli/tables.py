@@ -3,8 +3,6 @@
 import math
 from typing import TYPE_CHECKING
 
-from bumpless.contract.enums import MODE_LETTERS
-
 if TYPE_CHECKING:
     from bumpless.contract import bumpless_pb2 as pb
 
@@ -56,9 +54,11 @@ def _times(m: "pb.Metrics") -> str:
 
 
 def _switches(m: "pb.Metrics") -> str:
+    from bumpless.contract.modes import LOOKS
+
     rows = [
         [
-            f"{MODE_LETTERS[s.from_mode]}→{MODE_LETTERS[s.to_mode]}",
+            f"{LOOKS[s.from_mode].letter}→{LOOKS[s.to_mode].letter}",
             f"{s.time_s:.2f}",
             number(s.command_step_normalised),
             number(s.command_step_raw),
@@ -69,9 +69,11 @@ def _switches(m: "pb.Metrics") -> str:
 
 
 def _modes(m: "pb.Metrics") -> str:
+    from bumpless.contract.modes import LOOKS
+
     rows = [
         [
-            MODE_LETTERS[mode.mode],
+            LOOKS[mode.mode].letter,
             f"{mode.duration_s:.2f}",
             number(mode.surge_speed_mean_mps, 3),
             number(mode.depth_rms_m, 3),

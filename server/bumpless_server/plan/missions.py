@@ -2,9 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from datetime import UTC, datetime
 from pathlib import Path
-from typing import Any
 
 from bumpless.config.mission import Mission, MissionError, missions_folder, parse_mission
 from bumpless.config.problems import Problem
@@ -29,41 +27,6 @@ class MissionFile:
     text: str
     mission: Mission | None
     problems: tuple[Problem, ...] = ()
-
-    def as_dict(self, with_text: bool = False) -> dict[str, Any]:
-        """For JSON."""
-        mission = self.mission
-        told: dict[str, Any] = {
-            "name": self.name,
-            "file": self.path.name,
-            "title": (mission.title or mission.name) if mission else self.name,
-            "summary": mission.summary if mission else "",
-            "vehicle": mission.vehicle if mission else "",
-            "duration_s": mission.duration_s if mission else None,
-            "seed": mission.seed if mission else None,
-            "sha256": mission.sha256 if mission else "",
-            "builtin": self.builtin,
-            "valid": mission is not None,
-            "problems": [problem.as_dict() for problem in self.problems],
-            "modified": datetime.fromtimestamp(self.path.stat().st_mtime, UTC).isoformat(timespec="seconds"),
-        }
-        return told | {"yaml": self.text} | _plan(mission) if with_text else told
-
-
-def _plan(mission: Mission | None) -> dict[str, Any]:
-    """What a sketch of the plan needs; NED, metres, the start first."""
-    if mission is None:
-        return {}
-    target = mission.target
-    return {
-        "path_ned_m": mission.path_ned_m,
-        "target": {
-            "position_ned_m": target.position_ned_m,
-            "heading_deg": target.heading_deg,
-            "observation_point_ned_m": target.observation_point_ned_m,
-        },
-        "current_ned_mps": mission.environment.current_ned_mps,
-    }
 
 
 class Missions:

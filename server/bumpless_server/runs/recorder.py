@@ -12,6 +12,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from bumpless.contract import bumpless_pb2 as pb
+from bumpless.contract.enums import FLYING
 from bumpless.contract.messages import stamp_of
 from bumpless.contract.names import RUN
 from bumpless.runs.info import ending_of
@@ -30,7 +31,6 @@ PRE_ROLL = 1000  # messages kept while idle: a run's first cycles may precede it
 SETTLE_S = 0.5  # after the end, for the rest of the last cycle
 RETRY_S = 5.0  # after a disk without room, and the first time after a failing one
 MAX_RETRY_S = 300.0  # each try may leave a part of the run behind: twice as long each time, up to this
-_ACTIVE = (pb.MISSION_PHASE_RUNNING, pb.MISSION_PHASE_PAUSED)
 
 Say = Callable[[pb.Severity, str, str, dict[str, str]], None]
 
@@ -192,7 +192,7 @@ class Recorder:
     def _on_status(self, status: pb.MissionStatus) -> bool:
         """Begin or end a file as the vehicle says; True when the status itself was written by that."""
         run = self._run
-        if status.phase in _ACTIVE and status.run_id:
+        if status.phase in FLYING and status.run_id:
             if run is not None and run.run_id == status.run_id:
                 run.status = status
                 return False

@@ -5,7 +5,7 @@ one newton, and one newton metre, is drawn as 0.2 m.
 """
 
 from collections.abc import Callable, Iterator
-from math import isfinite
+from math import isfinite, sqrt
 from typing import Any
 
 import numpy as np
@@ -123,7 +123,7 @@ def _envelopes(record: Any, surge_speed_mps: float) -> list[SceneEntity]:
 
 
 def _triangles(vertices: Any, faces: Any, colour: Color) -> TriangleListPrimitive:
-    made = TriangleListPrimitive(color=colour, indices=[int(i) for i in np.asarray(faces).ravel()])
+    made = TriangleListPrimitive(color=colour, indices=np.asarray(faces).ravel().tolist())
     made.pose.orientation.w = 1.0
     made.MergeFromString(_points(np.asarray(vertices, float)))
     return made
@@ -148,8 +148,8 @@ def _arrows(name: str, wrench: pb.Wrench, rgb: palette.Rgb) -> SceneEntity:
 
 def _arrow(vector: tuple[float, float, float], width: float, rgb: palette.Rgb) -> ArrowPrimitive:
     """An arrow from O_b; Foxglove's point along +x, so it is turned from there."""
-    v = np.array([component if isfinite(component) else 0.0 for component in vector])
-    length = float(np.linalg.norm(v))
+    x, y, z = (component if isfinite(component) else 0.0 for component in vector)
+    length = sqrt(x * x + y * y + z * z)
     made = ArrowPrimitive(
         shaft_length=0.8 * METRES_PER_UNIT * length,
         head_length=0.2 * METRES_PER_UNIT * length,
@@ -157,19 +157,18 @@ def _arrow(vector: tuple[float, float, float], width: float, rgb: palette.Rgb) -
         head_diameter=2.0 * width,
         color=_colour(rgb, 1.0),
     )
-    w, x, y, z = _from_x_axis(v / length if length > 0.0 else np.array([1.0, 0.0, 0.0]))
     turn = made.pose.orientation
-    turn.w, turn.x, turn.y, turn.z = w, x, y, z
+    along = (x / length, y / length, z / length) if length > 0.0 else (1.0, 0.0, 0.0)
+    turn.w, turn.x, turn.y, turn.z = _from_x_axis(*along)
     return made
 
 
-def _from_x_axis(direction: np.ndarray) -> tuple[float, float, float, float]:
+def _from_x_axis(x: float, y: float, z: float) -> tuple[float, float, float, float]:
     """Scalar-first quaternion of the shortest turn from +x to a unit vector."""
-    if direction[0] < -0.999999:
+    if x < -0.999999:
         return (0.0, 0.0, 0.0, 1.0)
-    q = np.array([1.0 + direction[0], 0.0, -direction[2], direction[1]])
-    w, x, y, z = (float(part) for part in q / np.linalg.norm(q))
-    return (w, x, y, z)
+    norm = sqrt((1.0 + x) * (1.0 + x) + z * z + y * y)
+    return ((1.0 + x) / norm, 0.0, -z / norm, y / norm)
 
 
 def _target() -> SceneEntity:

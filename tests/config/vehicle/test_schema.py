@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from bumpless.config.declare import Unread, read
-from bumpless.config.generate import parameters_json_schema
+from bumpless.config.formats import parameters_json_schema
 from bumpless.config.parameters import as_dict, default_parameters
 from bumpless.config.vehicle import FOLDER, load_vehicle, vehicle_names
 from bumpless.config.vehicle.model import Document

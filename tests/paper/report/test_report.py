@@ -10,6 +10,7 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
+from bumpless.contract.enums import FORWARD, REVERSE
 from bumpless_paper.report import Comparison, Figure, Grid, Panel, Part, Series, Solid, page_of
 from bumpless_paper.report.csv_text import csv_of
 from bumpless_paper.report.labels import coordinate, label
@@ -118,7 +119,6 @@ class Flight:
             return [["fin", "thruster"].index(kind)]
 
     def __init__(self) -> None:
-        from bumpless.contract.enums import FORWARD, REVERSE
         from bumpless.sim.log import LOG
 
         self.log = np.zeros(800, LOG)
@@ -131,10 +131,13 @@ class Flight:
 def test_steps_of_table_a5_are_taken_at_1_hz_near_the_switch() -> None:
     """Protects: windows and units: 60 rpm at the switch count, the fin's 5 deg at 35 s do not."""
     flight = Flight()
-    propeller, fins, _ = steps(flight, 0, 1)  # type: ignore[arg-type]
+    propeller, fins, _ = steps(flight, FORWARD, REVERSE)  # type: ignore[arg-type]
     assert propeller == pytest.approx(60.0)
     assert fins == 0.0
-    assert {mode: len(rows) for mode, rows in segments(flight.log).items()} == {0: 400, 1: 400}
+    assert {mode: len(rows) for mode, rows in segments(flight.log).items()} == {
+        FORWARD: 400,
+        REVERSE: 400,
+    }
     assert about_mean(np.array([1.0, 3.0])) == pytest.approx(1.0)
 
 

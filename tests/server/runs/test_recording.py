@@ -92,7 +92,7 @@ def test_independent_readers_open_the_log_and_find_mission_parameters_and_hashes
 def test_a_run_can_be_downloaded_while_it_is_recorded(running: Running) -> None:
     """What is on the disk so far arrives whole and can be read up to the last flush."""
     run = start(running)
-    going = running.until(lambda: running.console.recorder.recording)
+    going = running.until(lambda: (r := running.console.recorder.recording) and r.messages > 20 and r)
     first = going.flushed_bytes
     running.until(lambda: going.flushed_bytes > first)
     content = running.http.get(f"/api/runs/{run}/log.mcap").content

@@ -9,15 +9,10 @@ from pathlib import Path
 from typing import Any
 
 from bumpless.config.declare.reference import tables
-from bumpless.config.declare.schema import DIALECT, partial
-from bumpless.config.mission import mission_json_schema
-from bumpless.config.mission.model import Document as MissionDocument
-from bumpless.config.parameters import Parameters
-from bumpless.config.vehicle.model import Document as VehicleDocument
-from bumpless.config.vehicle.schema import vehicle_json_schema
+from bumpless.config.formats import MODELS, SCHEMAS
 
 ROOT = Path(__file__).parents[3]
-SCHEMAS = "twin/bumpless/config/vehicles"
+BESIDE = "twin/bumpless/config/vehicles"
 NOTE = "<!-- Made by `make gen` from the declarations in twin/bumpless/config; edit those. -->"
 
 MISSION = """\
@@ -37,23 +32,15 @@ mission, `--set section.field=value` on the command line. What is marked live ma
 The JSON Schema is `parameters.schema.json` beside the vehicles."""
 
 
-def parameters_json_schema() -> dict[str, Any]:
-    """JSON Schema (2020-12) of the `[control]` tables of a vehicle, or of a mission's overrides."""
-    about = (
-        "Control parameters. Sections and fields may be left out where there is something to lay them over."
-    )
-    return {"$schema": DIALECT, "title": "Bumpless parameters", "description": about, **partial(Parameters)}
-
-
 def made() -> dict[str, str]:
     """Every generated file by its path from the root of the sources."""
     return {
-        "missions/mission.schema.json": _json(mission_json_schema()),
-        f"{SCHEMAS}/vehicle.schema.json": _json(vehicle_json_schema()),
-        f"{SCHEMAS}/parameters.schema.json": _json(parameters_json_schema()),
-        "docs/reference/mission.md": _page("Mission files", MISSION, MissionDocument),
-        "docs/reference/vehicle.md": _page("Vehicle files", VEHICLE, VehicleDocument),
-        "docs/reference/parameters.md": _page("Parameters", PARAMETERS, Parameters),
+        "missions/mission.schema.json": _json(SCHEMAS["mission"]()),
+        f"{BESIDE}/vehicle.schema.json": _json(SCHEMAS["vehicle"]()),
+        f"{BESIDE}/parameters.schema.json": _json(SCHEMAS["parameters"]()),
+        "docs/reference/mission.md": _page("Mission files", MISSION, MODELS["mission"]),
+        "docs/reference/vehicle.md": _page("Vehicle files", VEHICLE, MODELS["vehicle"]),
+        "docs/reference/parameters.md": _page("Parameters", PARAMETERS, MODELS["parameters"]),
     }
 
 

@@ -5,8 +5,6 @@
 
 FORWARD, REVERSE, HOVER = 1, 2, 3  # Mode
 MODES = (FORWARD, REVERSE, HOVER)
-MODE_NAMES = {FORWARD: "forward", REVERSE: "reverse", HOVER: "hover"}
-MODE_LETTERS = {FORWARD: "F", REVERSE: "R", HOVER: "H"}
 
 IDLE, RUNNING, PAUSED, COMPLETED, ABORTED = 1, 2, 3, 4, 5  # MissionPhase
 FLYING = (RUNNING, PAUSED)  # a mission is being flown

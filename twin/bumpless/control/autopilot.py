@@ -12,7 +12,8 @@ from bumpless.control.allocation.allocate import achieve, allocate
 from bumpless.control.allocation.slack import report_slack, soften
 from bumpless.control.effectiveness.step import believe_faults, estimate_effectiveness
 from bumpless.control.flow import see_flow, smooth_flow
-from bumpless.control.guidance import guide, observation_point
+from bumpless.control.guidance.guide import guide
+from bumpless.control.guidance.station import observation_point
 from bumpless.control.navigation import navigate
 from bumpless.control.pid import (
     align_integrals,

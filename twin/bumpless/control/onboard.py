@@ -17,7 +17,7 @@ from bumpless.control.allocation.record import (
     SOLUTION,
 )
 from bumpless.control.effectiveness.record import BELIEF, ESTIMATOR, ESTIMATOR_WORK
-from bumpless.control.guidance_record import GUIDANCE_OUTPUT, GUIDANCE_STATE, SITUATION
+from bumpless.control.guidance.record import GUIDANCE_OUTPUT, GUIDANCE_STATE, SITUATION
 from bumpless.control.navigation import CLOCK, NAVIGATION_OUTPUT, NAVIGATION_STATE
 from bumpless.control.pid import ERRORS, PID_STATE
 from bumpless.control.plan import PLAN

@@ -33,7 +33,7 @@ PID_STATE = np.dtype(
         ("smooth", ERRORS),  # what the PID works on: e and e' after their lags
         ("integral", f8, 6),  # K_I e_I, N or N m
         ("bias", f8, 6),  # aligned offset, bled off
-        ("K_I", f8, 6),  # of the mode in force
+        ("K_I", f8, 6),  # of the last cycle's mode, not scheduled
         ("unmet", f8, 6),  # tau_d - tau_c of the last cycle, N or N m
         ("limited", i8, 6),  # 1 where a bound kept it from being met
     ],
@@ -94,6 +94,7 @@ def demand(gains, errors, pid, tau_plus):
         pid.bias[i] *= gains.keep
         total = clip(pid.integral[i] + pid.bias[i], gains.integral_limit[i])
         tau_plus[i] = clip(proportional(gains, errors, i) + total, gains.demand_limit[i])
+        pid.K_I[i] = gains.mode_K_I[i]
 
 
 @jit
@@ -112,7 +113,6 @@ def carry_integrals(integral_at_switch, mode, pid):
             pid.bias[i] *= mode.K_I[i] / pid.K_I[i]
         elif integral_at_switch == RESET:
             pid.integral[i] = pid.bias[i] = 0.0
-        pid.K_I[i] = mode.K_I[i]
 
 
 @jit

@@ -4,7 +4,7 @@ import numpy as np
 
 from bumpless.config.capacity import N_MODES
 from bumpless.control.allocation.record import ALLOCATION_SETTINGS
-from bumpless.control.guidance_record import GUIDANCE_SETTINGS
+from bumpless.control.guidance.record import GUIDANCE_SETTINGS
 from bumpless.control.supervisor import SUPERVISOR_SETTINGS
 from bumpless.control.switching import MODE_SETTINGS, SWITCHING_SETTINGS
 

@@ -10,7 +10,8 @@ from typing import Any, Literal
 
 import numpy as np
 
-from bumpless.contract.enums import HOVER, MODE_LETTERS
+from bumpless.contract.enums import HOVER
+from bumpless.contract.modes import MODE_LETTERS
 from bumpless.metrics.columns import Columns, Floats
 
 POSITION_M, HEADING_DEG, SPEED_MPS, HOLD_S = 0.15, 5.0, 0.05, 10.0  # what docked means

@@ -16,9 +16,13 @@ _CHUNK_BYTES = 1 << 20
 
 
 class McapFile:
-    """Not thread-safe. What was flushed survives a killed process; `repair` gives such a file its end."""
+    """Not thread-safe. What was flushed survives a killed process; `repair` gives such a file its end.
 
-    def __init__(self, path: Path) -> None:
+    With `durable` it survives a power cut too: each flush waits for the disk; without, only `close` does.
+    """
+
+    def __init__(self, path: Path, durable: bool = True) -> None:
+        self._durable = durable
         self._file = path.open("wb")
         self._writer = Writer(self._file, chunk_size=_CHUNK_BYTES, compression=CompressionType.ZSTD)
         self._writer._Writer__chunk_builder = QuickChunk()  # type: ignore[attr-defined]
@@ -58,9 +62,11 @@ class McapFile:
         self._writer.add_metadata(name, dict(values))
 
     def flush(self) -> None:
-        """Bring everything to the disk: a killed process or a power cut loses nothing older."""
+        """Bring everything to the disk: what is killed later loses nothing older."""
         self._writer.flush()
-        self._sync()
+        self._file.flush()
+        if self._durable:
+            os.fsync(self._file.fileno())
 
     def close(self) -> None:
         """Write the index and the end of the file."""
@@ -69,13 +75,10 @@ class McapFile:
         self._closed = True
         try:
             self._writer.finish()
-            self._sync()
+            self._file.flush()
+            os.fsync(self._file.fileno())
         finally:
             self._file.close()
-
-    def _sync(self) -> None:
-        self._file.flush()
-        os.fsync(self._file.fileno())
 
     def _register(self, topic: str, schema: str, kind: type[Message] | None) -> int:
         if schema not in self._schemas:

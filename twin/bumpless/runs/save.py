@@ -23,7 +23,7 @@ def write_flown(flown: Flown, figures: Figures, path: Path, views: Sequence[View
     status = first[2]
     assert first[1] == MISSION and isinstance(status, pb.MissionStatus)
     span_ns = max(1.0, 1e9 * float(flown.result.log["time"][-1]))
-    writer = RunWriter(path, status, flown.info.id, views)
+    writer = RunWriter(path, status, flown.info.id, views, durable=False)
     try:
         for time_ns, topic, message in chain([first], said):
             writer.write(topic, message.DESCRIPTOR.full_name, encoded(message), time_ns, message)

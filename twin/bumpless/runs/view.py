@@ -28,11 +28,15 @@ class Views:
 
     def __init__(self, views: Sequence[View]) -> None:
         self._views = list(views)
+        self._wanted: dict[str, list[View]] = {}  # by schema
 
     def see(self, schema: str, payload: bytes, message: Message | None) -> list[tuple[str, Message]]:
         """What all views make of one message, whose bytes are read at most once."""
         found: list[tuple[str, Message]] = []
-        for view in [view for view in self._views if view.wants(schema)]:
+        views = self._wanted.get(schema)
+        if views is None:
+            views = self._wanted[schema] = [view for view in self._views if view.wants(schema)]
+        for view in views:
             message = message if message is not None else decoded(schema, payload)
             if message is None:
                 break
@@ -41,4 +45,5 @@ class Views:
             except Exception:
                 log.exception("%s ends here: %s could not be shown", type(view).__name__, schema)
                 self._views.remove(view)
+                self._wanted.clear()
         return found

@@ -29,11 +29,17 @@ class RunWriter:
     """An open recording of the run that `status` tells of. Not thread-safe.
 
     The file's first record identifies the run by what the vehicle says of itself, its parameters and its
-    plan. Until all three are heard, or until the first `flush`, messages are held back.
+    plan. Until all three are heard, or until the first `flush`, messages are held back. `durable`: see
+    `McapFile`.
     """
 
     def __init__(
-        self, path: Path, status: pb.MissionStatus, run: str | None = None, views: Sequence[View] = ()
+        self,
+        path: Path,
+        status: pb.MissionStatus,
+        run: str | None = None,
+        views: Sequence[View] = (),
+        durable: bool = True,
     ) -> None:
         self.id = run or status.run_id
         self.run_id = status.run_id
@@ -47,9 +53,9 @@ class RunWriter:
         self._held: list[_Held] | None = []
         self._end_ns = 0
         names.record_name(names.RUN_RECORD, self.id)  # a bad id is refused before there is a file
-        self._file = McapFile(path)
+        self._file = McapFile(path, durable)
         try:
-            self._file.flush()
+            self._flush()
         except BaseException:
             self.abandon()
             raise
@@ -62,7 +68,7 @@ class RunWriter:
         `schema` is the full message name; one that the contract does not know is kept without its schema.
         `log_ns` is the UNIX time at which it was received. `message` is what `payload` holds, if known.
         """
-        stamp = stamp_of(payload)
+        stamp = stamp_of(payload) if message is None else getattr(message, "stamp", None)
         publish_ns = stamp.time_ns if stamp is not None and stamp.time_ns else log_ns
         self.messages += 1
         held = (topic, schema, payload, log_ns, publish_ns, message)
@@ -78,8 +84,7 @@ class RunWriter:
         """Bring what was written to the disk; a killed process loses nothing older."""
         if self._held is not None:
             self._open()
-        self._file.flush()
-        self.flushed_bytes = self.path.stat().st_size
+        self._flush()
 
     def finish(self, state: str, reason: str, dropped: int = 0, figures: Figures | None = None) -> None:
         """Write the figures (computed from the file when None) and the end, and close the file."""
@@ -109,6 +114,10 @@ class RunWriter:
             self._file.close()
         if self._held is not None:
             self.path.unlink(missing_ok=True)
+
+    def _flush(self) -> None:
+        self._file.flush()
+        self.flushed_bytes = self.path.stat().st_size
 
     def _open(self) -> None:
         held, self._held = self._held or [], None

@@ -11,11 +11,11 @@ from bumpless.contract.enums import (
     IDLE,
     INFEASIBLE,
     INFO,
-    MODE_NAMES,
     REFUSED,
     REVERSE,
     WARNING,
 )
+from bumpless.contract.modes import LOOKS
 
 _STATUS = {
     INFEASIBLE: "bounds contradict each other",
@@ -122,10 +122,10 @@ def row_events(out: EventWriter, last: np.void, row: np.void, settings: np.void)
         why, unless = switch_reason(before, after, row, settings["supervisor"])
         out.add(
             "mode_switch",
-            f"{MODE_NAMES[before].capitalize()} to {MODE_NAMES[after]}: {why}.",
+            f"{LOOKS[before].name} to {LOOKS[after].key}: {why}.",
             {
-                "from": MODE_NAMES[before],
-                "to": MODE_NAMES[after],
+                "from": LOOKS[before].key,
+                "to": LOOKS[after].key,
                 "range_m": f"{row['range']:.3f}",
                 "detected": str(bool(row["detected"])).lower(),
                 "dwelt_s": f"{last['time_in_mode'] + settings['dt']:.2f}",

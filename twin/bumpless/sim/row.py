@@ -2,7 +2,7 @@
 
 from math import hypot, nan
 
-from bumpless.control.guidance import observation_point
+from bumpless.control.guidance.station import observation_point
 from bumpless.jit import jit
 from bumpless.jit.memory import floats
 

@@ -8,7 +8,8 @@ import numpy as np
 from bumpless.config.mission import Mission
 from bumpless.config.parameters import Parameters
 from bumpless.config.vehicle import Vehicle
-from bumpless.contract.enums import FORWARD, HOVER, MODE_LETTERS, MODES, REVERSE
+from bumpless.contract.enums import FORWARD, HOVER, MODES, REVERSE
+from bumpless.contract.modes import MODE_LETTERS
 from bumpless.sim.twin import parameters_for
 from bumpless.stability.linear import Coordinate, coordinates, difference, with_memory
 from bumpless.stability.lyapunov import Certificate, search

@@ -9,6 +9,7 @@ import numpy as np
 from google.protobuf.message import Message
 
 from bumpless.contract import bumpless_pb2 as pb
+from bumpless.contract.enums import IDLE
 from bumpless.contract.units import DEG
 from bumpless.sim.log import LOG
 from bumpless.telemetry.context import ActuatorContext, Context
@@ -59,7 +60,7 @@ def messages(
         time_ns = context.start_time_ns + round(r.one("time") * 1e9)
     stamp = pb.Stamp(
         time_ns=time_ns,
-        mission_time_s=0.0 if r.one("phase") == pb.MISSION_PHASE_IDLE else r.one("time"),
+        mission_time_s=0.0 if r.one("phase") == IDLE else r.one("time"),
         cycle=int(r.one("cycle")) if cycle is None else cycle,
     )
     return [

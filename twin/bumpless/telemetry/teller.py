@@ -7,6 +7,7 @@ import numpy as np
 from google.protobuf.message import Message
 
 from bumpless.contract import bumpless_pb2 as pb
+from bumpless.contract.enums import ENDED, PAUSED
 from bumpless.contract.keys import TOPICS
 from bumpless.telemetry import status
 from bumpless.telemetry.context import make_context
@@ -18,7 +19,6 @@ if TYPE_CHECKING:
     from bumpless.sim.events import TwinEvent
 
 END_EVENTS = ("mission_completed", "mission_aborted")  # their text is the run's end reason
-ENDED = (pb.MISSION_PHASE_COMPLETED, pb.MISSION_PHASE_ABORTED)
 
 
 class Teller:
@@ -82,7 +82,7 @@ class Teller:
         new_run = self._state is None or state.run_id != self._state.run_id
         if new_run:
             self._end_reason, self._held_s = "", 0.0
-        elif phase == pb.MISSION_PHASE_PAUSED:
+        elif phase == PAUSED:
             self._held_s += max(0.0, stamp.mission_time_s - self._time_s)
         self._time_s = stamp.mission_time_s
         for _, message in events:

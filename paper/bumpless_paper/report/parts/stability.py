@@ -7,7 +7,7 @@ import math
 
 from bumpless.config.mission import shipped_mission
 from bumpless.config.vehicle import load_vehicle
-from bumpless.contract.enums import MODE_LETTERS
+from bumpless.contract.modes import MODE_LETTERS
 from bumpless.stability import Dwell, check_dwell, dwell_warning
 from bumpless_paper.report.content import Grid, Part
 from bumpless_paper.report.labels import coordinate

@@ -2,7 +2,7 @@
 
 from bumpless.config.mission import shipped_mission
 from bumpless.config.vehicle import load_vehicle
-from bumpless.contract.enums import MODE_LETTERS
+from bumpless.contract.modes import MODE_LETTERS
 from bumpless.sim.twin import simulate
 from bumpless_paper.report.content import Figure, Grid, Part
 from bumpless_paper.report.parts import Progress

@@ -12,13 +12,13 @@ from bumpless.config.declare.notes import (
     Entries,
     Note,
     Number,
-    Overrides,
     Part,
     Row,
     Switch,
     Text,
     Words,
 )
+from bumpless.config.declare.overrides import Overrides
 from bumpless.config.declare.read import Broken, Unread, read, unknown
 
 __all__ = [

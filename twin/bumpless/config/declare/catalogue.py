@@ -3,7 +3,8 @@
 from typing import Any, get_args
 
 from bumpless.config.declare.models import MISSING, Field, fields_of, parts_of, tag_of
-from bumpless.config.declare.notes import Choice, Entries, Number, Overrides, Part, Row, Switch, Text, Words
+from bumpless.config.declare.notes import Choice, Entries, Number, Part, Row, Switch, Text, Words
+from bumpless.config.declare.overrides import Overrides
 
 
 def catalogue(cls: type) -> list[dict[str, Any]]:

@@ -306,16 +306,3 @@ class Entries(Note):
         if not self.fewest <= len(value) <= self.most:
             raise refusal(f"must have between {self.fewest} and {self.most} entries")
         return value
-
-
-@dataclass(frozen=True)
-class Overrides(Note):
-    """Some sections of the model `of`, and of each some fields; laid over an instance of it elsewhere."""
-
-    _: KW_ONLY
-    of: type
-
-    def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: Any) -> dict[str, Any]:
-        from bumpless.config.declare.schema import partial
-
-        return super().__get_pydantic_json_schema__(schema, handler) | partial(self.of)

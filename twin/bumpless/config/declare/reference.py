@@ -4,7 +4,7 @@ from typing import Any
 
 from bumpless.config.declare.catalogue import catalogue
 from bumpless.config.declare.models import fields_of
-from bumpless.config.declare.notes import Overrides
+from bumpless.config.declare.overrides import Overrides
 
 HEAD = (
     "| field | type | unit | range | default | live | meaning |",

@@ -5,14 +5,11 @@ That each number is within its own range is certain: `Parameters` can't be made 
 
 from collections.abc import Iterator
 from itertools import pairwise
-from typing import TYPE_CHECKING
 
 from bumpless.config.declare import Row, fields_of
+from bumpless.config.parameters.load import Tuned
 from bumpless.config.parameters.model import Parameters
 from bumpless.config.problems import Problem
-
-if TYPE_CHECKING:
-    from bumpless.config.vehicle import Vehicle
 
 _ASCENDING = (
     "range_rh_lower_m",
@@ -23,7 +20,7 @@ _ASCENDING = (
 )
 
 
-def check(parameters: Parameters, vehicle: "Vehicle", source: str = "") -> list[Problem]:
+def check(parameters: Parameters, vehicle: Tuned, source: str = "") -> list[Problem]:
     """Every broken rule; an empty list when the parameters are fit for this vehicle.
 
     `source` is the file name the problems carry, if there is one.

@@ -1,8 +1,8 @@
 """Plain tables in and out of the parameters: the vehicle file's, a mission's, JSON's."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import Any, Protocol
 
 from bumpless.config.declare import Broken, Unread, as_table, fields_of, read, unknown
 from bumpless.config.parameters.model import Parameters
@@ -13,7 +13,25 @@ class ParameterError(ProblemsError):
     """Parameters that can't be read: unknown or missing keys, wrong types, numbers out of range."""
 
 
-def default_parameters(vehicle: Any) -> Parameters:
+class Tuned(Protocol):
+    """What must be known of a vehicle to read and check its parameters."""
+
+    @property
+    def control(self) -> Mapping[str, Any]:
+        """The raw tables of its file."""
+        ...
+
+    @property
+    def commands(self) -> Sequence[Any]:
+        """One entry for each number that its actuators are told."""
+        ...
+
+    def problem(self, path: str, value: Any, rule: str) -> Problem:
+        """A broken rule at its place in the vehicle's files."""
+        ...
+
+
+def default_parameters(vehicle: Tuned) -> Parameters:
     """Parameters of the vehicle file's control tables, `vehicle.control`.
 
     Keys that have a default in the declaration may be left out.

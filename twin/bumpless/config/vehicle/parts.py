@@ -4,7 +4,7 @@ A new kind is a class under `@model` with a `kind` of its own word, and its name
 schema, catalogue and reference then know it. The class must also have `commands`, `position_m` and
 `direction`. What it does is told to `bumpless.physics.actuators`; the way: docs/add_actuator_kind.md.
 
-Body axes: x forward, y starboard, z down, origin O_b. Files use degrees and rpm; `fill` of each kind converts.
+Body axes: x forward, y starboard, z down, origin O_b. Files use degrees and rpm; each kind's `fill` converts.
 """
 
 import math
