@@ -377,7 +377,7 @@ export interface paths {
         };
         /**
          * Vehicle
-         * @description The vehicle as it describes itself: actuators in its file's order with their bounds.
+         * @description The vehicle as it describes itself: the commands of its actuators in the order of u.
          */
         get: operations["vehicle_api_vehicle_get"];
         put?: never;
@@ -394,7 +394,7 @@ export interface components {
     schemas: {
         /**
          * ActuatorAnswer
-         * @description One actuator with its amplitude bounds, in its unit.
+         * @description One command of an actuator of this kind, with its amplitude bounds in its unit.
          */
         ActuatorAnswer: {
             /** Kind */

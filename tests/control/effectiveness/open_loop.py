@@ -84,7 +84,7 @@ def watch(
         out.faults.append(int(sum(int(f) << i for i, f in enumerate(estimator["faulty"]))))
         out.said.append(1.0 - estimator["loss"])
         out.heard.append(s["belief"]["effectiveness"].copy())
-        u[: len(vehicle.actuators)] = commands(t)
+        u[: len(vehicle.commands)] = commands(t)
         step_plant(world["model"], truth["environment"], truth["faults"], plant, u, dt, 2, noise)
     return out
 

@@ -46,7 +46,7 @@ def truth_of(mission: Mission, vehicle: Vehicle) -> np.ndarray:
     errors["n_outages"] = len(mission.sensors.outages)
     for i, outage in enumerate(mission.sensors.outages):
         errors["outage"][i] = outage.from_s, outage.to_s
-    names = [actuator.name for actuator in vehicle.actuators]
+    names = [command.actuator for command in vehicle.commands]
     faults["n"] = len(mission.faults)
     for i, fault in enumerate(mission.faults):
         faults["actuator"][i] = names.index(fault.actuator)

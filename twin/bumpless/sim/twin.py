@@ -18,7 +18,6 @@ from bumpless.control.allocation.qp import make_handle
 from bumpless.control.onboard import ONBOARD
 from bumpless.control.reset import reset_state
 from bumpless.physics.model import build_model
-from bumpless.physics.model_record import THRUSTER
 from bumpless.physics.plant import observe_plant
 from bumpless.physics.sensors import N_NOISE
 from bumpless.sim.cycle import fly
@@ -54,7 +53,7 @@ class Twin:
         self.period_s = vehicle.control_period_s
         self.mission: Mission | None = None
         self.seed = 0
-        self.events = EventWriter(tuple(actuator.name for actuator in vehicle.actuators))
+        self.events = EventWriter(tuple(command.actuator for command in vehicle.commands))
         self._handles: dict[str, np.ndarray] = {}
         self._onboard, self._world = one(ONBOARD), one(WORLD)
         self.onboard, self.world = self._onboard[0], self._world[0]
@@ -141,7 +140,7 @@ class Twin:
         """Way from `surge` (m/s) to rest: half the ramp at this speed, then all reverse thrust, m."""
         m, n = self.onboard["model"], int(self.onboard["model"]["n_u"])
         thrust = np.maximum(m["T_nn"], m["T_nn_reverse"])[:n] * m["command_min"][:n] ** 2
-        push = float(np.sum(thrust * np.abs(m["direction"][:n, 0]) * (m["kind"][:n] == THRUSTER)))
+        push = float(np.sum(thrust * np.abs(m["direction"][:n, 0])))
         braking = max(push, 1e-3) / float(m["M_RB"][0, 0] + m["M_A"][0, 0])
         ramp_s = self.parameters.hover.ramp_cycles * self.period_s
         return surge * ramp_s / 2 + surge * abs(surge) / (2 * braking)
