@@ -91,7 +91,7 @@ LOCK := $(BIN)/uv pip compile --quiet --universal --python-version 3.11 --genera
 lock: $(DONE)/build  ## resolve the dependencies anew (ARGS="--upgrade")
 	$(LOCK) $(ARGS) -o requirements.lock
 	$(LOCK:pyproject.toml=) $(ARGS) --group build -c requirements.lock -o requirements-build.lock
-	$(LOCK) $(ARGS) --group build --group dev -c requirements.lock -c requirements-build.lock -o requirements-dev.lock
+	$(LOCK) $(ARGS) --extra campaign --group build --group dev -c requirements.lock -c requirements-build.lock -o requirements-dev.lock
 	$(LOCK) $(ARGS) --extra bench -c requirements-dev.lock -o requirements-bench.lock
 
 clean:  ## remove everything that was installed, built or cached (recorded data stays)

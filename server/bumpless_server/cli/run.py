@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 if TYPE_CHECKING:
+    from bumpless.campaign.plant import Alteration
     from bumpless.config.mission import Mission
     from bumpless.config.parameters import Parameters
     from bumpless.config.vehicle import Vehicle
@@ -28,6 +29,9 @@ def run(
         list[str] | None,
         typer.Option("--set", help="Change a parameter: hover.lambda=0.01, bumpless.ramp=false."),
     ] = None,
+    draw: Annotated[
+        int | None, typer.Option(min=0, help="The file is a campaign: fly this number of it.")
+    ] = None,
 ) -> None:
     """Fly a mission as fast as the machine can.
 
@@ -40,7 +44,11 @@ def run(
     from bumpless_server.cli.progress import Progress
 
     try:
-        flown, who, parameters = _prepare(mission, vehicle, changes or [])
+        if draw is None:
+            flown, who, parameters = _prepare(mission, vehicle, changes or [])
+            alter = None
+        else:
+            flown, who, parameters, alter = _drawn(mission, draw, changes or [])
     except ProblemsError as error:
         typer.echo(str(error), err=True)
         raise typer.Exit(REFUSED) from error
@@ -51,7 +59,7 @@ def run(
         progress.watch_compiler()
         simulate(replace(flown, duration_s=1.0), who, parameters, seed)  # compiled code is loaded by this
         ready = time.perf_counter()
-        result = simulate(flown, who, parameters, seed, progress.update)
+        result = simulate(flown, who, parameters, seed, progress.update, alter)
         wall_s = time.perf_counter() - ready
     from bumpless.metrics import Run, as_dict, metrics_of
     from bumpless_server.cli.run_log import identity, write_log
@@ -106,6 +114,14 @@ def _prepare(path: Path, vehicle: str | None, changes: list[str]) -> "tuple[Miss
     if problems:
         raise ParameterError(problems)
     return replace(mission, source=path.name), flown_by, parameters
+
+
+def _drawn(path: Path, number: int, changes: list[str]) -> "tuple[Mission, Vehicle, Parameters, Alteration]":
+    """The same for a campaign's flight, and what is true of its plant; raises ProblemsError."""
+    from bumpless.campaign.read import load_campaign
+    from bumpless.campaign.replay import replayed
+
+    return replayed(load_campaign(path).with_parameters(_changes(changes)), number)
 
 
 def _changes(changes: list[str]) -> dict[str, dict[str, Any]]:

@@ -38,6 +38,11 @@ def one(dtype: np.dtype) -> np.ndarray:
     return np.zeros(1, dtype)
 
 
+def new_log(cycles: int) -> np.ndarray:
+    """Empty LOG rows for `Twin.fly`, shape (cycles,)."""
+    return np.zeros(cycles, records.LOG)
+
+
 class Twin:
     """One simulated vehicle with its autopilot. Not thread safe: one thread steps it."""
 
@@ -160,6 +165,19 @@ class Twin:
             completed_event(self.events, row)
         return row
 
+    @property
+    def cycles(self) -> int:
+        """Longest duration of the mission, in control cycles."""
+        return int(self._plan[0]["cycles"])
+
+    def fly(self, log: np.ndarray) -> int:
+        """Fly on until `log` (of `new_log`) is full or the phase changes; returns how many rows were filled.
+
+        The cycles are those of `simulate`, however the flight is cut into calls. Adds no events for the rows.
+        """
+        rows, self.phase = self._fly(self._rng.standard_normal((len(log), records.N_NOISE)), log)
+        return rows
+
     def _fly(self, noise: np.ndarray, log: np.ndarray) -> tuple[int, int]:
         """Fill `log` as `cycle.fly` does; noise (len(log), N_NOISE)."""
         flown = fly(
@@ -234,16 +252,13 @@ def simulate(
     parameters = parameters or parameters_for(vehicle, mission)
     twin = Twin(vehicle, parameters)
     twin.start(mission, seed, parameters, alter)
-    total = int(twin._plan[0]["cycles"])
-    log = np.zeros(total, records.LOG)
-    filled, phase = 0, twin.phase
-    while filled < total and phase == RUNNING:
-        count = min(_CHUNK, total - filled)
-        noise = twin._rng.standard_normal((count, records.N_NOISE))
-        rows, phase = twin._fly(noise, log[filled : filled + count])
-        filled += rows
+    total = twin.cycles
+    log = new_log(total)
+    filled = 0
+    while filled < total and twin.phase == RUNNING:
+        filled += twin.fly(log[filled : filled + _CHUNK])
         if progress:
-            progress(filled / total if phase == RUNNING else 1.0)
+            progress(filled / total if twin.phase == RUNNING else 1.0)
     log = log[:filled]
     for k in eventful(log):
         row_events(twin.events, log[k - 1], log[k], twin._settings[0])

@@ -1,0 +1,94 @@
+"""How a flight ended, and the row at which that was decided."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+import numpy.typing as npt
+
+from bumpless.campaign.declaration import Docked
+from bumpless.campaign.geometry import nose_clearance, true_errors
+from bumpless.config.mission import Mission
+from bumpless.config.vehicle import Vehicle
+
+Name = Literal["docked", "held", "waved_off", "time_over", "aborted", "collided", "interrupted"]
+OUTCOMES: tuple[Name, ...] = (
+    "docked", "held", "waved_off", "time_over", "aborted", "collided", "interrupted",
+)  # fmt: skip
+HOVER, ABORTED = 2, 5  # Mode, counted from 0, and MissionPhase of the contract
+
+
+@dataclass(frozen=True)
+class Decided:
+    """An outcome, why, and how many rows of the flight lead to it."""
+
+    outcome: Name
+    reason: str
+    rows: int
+
+
+class Judge:
+    """Decides a flight from its log, however often it looks while the flight grows."""
+
+    def __init__(self, mission: Mission, vehicle: Vehicle, rule: Docked) -> None:
+        self.mission, self.vehicle, self.rule = mission, vehicle, rule
+        self.hold = max(1, round(rule.hold_s / vehicle.control_period_s))
+        self._seen = 0  # rows
+        self._inside = 0  # of these, how many in a row up to now are within the tolerances
+
+    def look(self, log: npt.NDArray) -> Decided | None:
+        """Judge the rows that were not there at the last look; None while nothing is decided."""
+        new, before = log[self._seen :], self._seen
+        self._seen = len(log)
+        if not len(new):
+            return None
+        broken = np.logical_not(np.isfinite(new["eta"]).all(axis=1))
+        touching = nose_clearance(new, self.mission, self.vehicle) < self.rule.touch_m
+        held = self._held(self._within(new))
+        ends = [
+            (_first(broken), "aborted", "the simulation broke down"),
+            (_first(touching), "collided", f"nose within {self.rule.touch_m:g} m of the marker"),
+            (_first(new["phase"] == ABORTED), "aborted", "mission aborted"),
+            (_first(held), "docked", f"within tolerances for {self.rule.hold_s:g} s"),
+        ]
+        row, name, why = min(ends, key=lambda end: end[0])
+        return Decided(name, why, before + row + 1) if row < len(new) else None  # type: ignore[arg-type]
+
+    def over(self, log: npt.NDArray) -> Decided:
+        """What a flight is that came to its end undecided."""
+        last = log[-1:]
+        if last["mode"][0] != HOVER:
+            mode = ("forward", "reverse")[int(last["mode"][0])]
+            return Decided("time_over", f"still in {mode}", len(log))
+        if self._inside:
+            return Decided("held", "within tolerances, but not yet for long enough", len(log))
+        errors, rule = true_errors(last, self.mission), self.rule
+        far = (
+            ("position", errors.range[0] > rule.range_m),
+            ("heading", abs(errors.heading[0]) > np.radians(rule.heading_deg)),
+            ("speed", errors.speed[0] > rule.speed_mps),
+        )
+        said = " and ".join(name for name, missed in far if missed)
+        return Decided("time_over", f"in hover, {said} out of tolerance", len(log))
+
+    def _within(self, log: npt.NDArray) -> npt.NDArray[np.bool_]:
+        errors, rule = true_errors(log, self.mission), self.rule
+        return (
+            (log["mode"] == HOVER)
+            & (errors.range <= rule.range_m)
+            & (np.abs(errors.heading) <= np.radians(rule.heading_deg))
+            & (errors.speed <= rule.speed_mps)
+        )
+
+    def _held(self, within: npt.NDArray[np.bool_]) -> npt.NDArray[np.bool_]:
+        """Where the vehicle has been within the tolerances for the whole hold time."""
+        rows = np.arange(len(within))
+        last_out = np.maximum.accumulate(np.where(within, -1 - self._inside, rows))
+        run = rows - last_out
+        self._inside = int(run[-1]) if within[-1] else 0
+        return within & (run >= self.hold)
+
+
+def _first(flags: npt.NDArray[np.bool_]) -> int:
+    """Index of the first True; the length when there is none."""
+    return int(np.argmax(flags)) if flags.any() else len(flags)
