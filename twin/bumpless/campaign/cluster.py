@@ -20,6 +20,7 @@ class ClusterError(RuntimeError):
 @contextmanager
 def opened(address: str | None = None, workers: int | None = None) -> "Iterator[Client]":
     """A client of the scheduler at `address`, or of `workers` processes started here (None: one per core)."""
+    logging.getLogger("distributed").setLevel(logging.CRITICAL)  # what matters is raised
     if address is not None:
         with _reached(address) as client:
             yield client
@@ -52,7 +53,7 @@ def _local(workers: int) -> "LocalCluster":
         threads_per_worker=1,
         processes=True,
         host="127.0.0.1",
-        dashboard_address=None,  # pyright: ignore[reportArgumentType]  # Dask: None is no dashboard
+scheduler_kwargs={"dashboard": False, "dashboard_address": "127.0.0.1:0"},
         memory_limit=0,
         silence_logs=logging.CRITICAL,
     )

@@ -38,7 +38,7 @@ def answers(
 
     futures = {client.submit(work, chunk, pure=False): key for key, chunk in chunks.items()}
     try:
-        for future in as_completed(list(futures)):
+        for future in as_completed(list(futures), loop=client.loop):
             key = futures.pop(future)
             yield key, future.result()
             future.release()
