@@ -7,24 +7,24 @@ import pytest
 from scipy.stats import kstest
 
 from bumpless.campaign.distributions import Choice, LogUniform, Normal, Uniform
-from bumpless.campaign.draws import draw, flight_seed, share
 from bumpless.campaign.drawn import drawn_mission, relative_current
+from bumpless.campaign.draws import draw, flight_seed, share
+from bumpless.campaign.mission_text import mission_text
 from bumpless.campaign.prepared import Prepared
 from bumpless.campaign.quantities import QUANTITIES
 from bumpless.config.mission import parse_mission, shipped_mission
-from bumpless.campaign.mission_text import mission_text
 
 TABLE = {"lag": LogUniform(loguniform=(0.5, 2.0)), "mass": Uniform(uniform=(0.9, 1.1))}
 
 
 def test_a_draw_is_always_the_same():
-    """Protects: published results can be flown again; a changed hash or stream would change every campaign."""
+    """Protects: published results can be flown again; another hash or stream would change all."""
     assert share(1, 2, "lag") == 0.7467762947954667
     assert flight_seed(1, 2) == 108069693
 
 
 def test_a_draw_depends_on_nothing_else():
-    """Protects: a quantity added to a campaign, or another order, leaves the other quantities as they were."""
+    """Protects: a quantity added, or another order, leaves the other quantities as they were."""
     both, one = draw(TABLE, 3, 11), draw({"mass": TABLE["mass"]}, 3, 11)
     assert both["mass"] == one["mass"]
     assert draw(dict(reversed(TABLE.items())), 3, 11) == both
@@ -101,8 +101,8 @@ def test_mission_text_reads_back(name):
 
 def test_every_quantity_changes_a_flight(campaign: Callable[..., Prepared], ts100):
     """Protects: no quantity of the table is without effect."""
-    from bumpless.campaign.plant import Alteration
     from bumpless.campaign.drawn import drawn_vehicle
+    from bumpless.campaign.plant import Alteration
 
     mission = drawn_mission(
         shipped_mission("docking"),

@@ -43,7 +43,7 @@ def judged(log, vehicle, block):
 
 @pytest.mark.parametrize("block", [1, 7, 200, 1000])
 def test_docked_after_the_hold_time(hovering, ts100, block):
-    """Protects: docked is decided at the same row however often the flight is looked at, and breaks start anew."""
+    """Protects: docked is decided at one row however often the flight is looked at; breaks start anew."""
     log = hovering(600)
     log["nu"][149, 0] = 0.2
     decided = judged(log, ts100, block)

@@ -53,9 +53,10 @@ def _local(workers: int) -> "LocalCluster":
         threads_per_worker=1,
         processes=True,
         host="127.0.0.1",
-scheduler_kwargs={"dashboard": False, "dashboard_address": "127.0.0.1:0"},
+        scheduler_kwargs={"dashboard": False, "dashboard_address": "127.0.0.1:0"},
         memory_limit=0,
         silence_logs=logging.CRITICAL,
+        preload=["bumpless.campaign.preload"],
     )
 
 
