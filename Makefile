@@ -66,7 +66,7 @@ gen: $(DONE)/dev  ## generate the contract's Python and TypeScript code
 	PYTHON=$(CURDIR)/$(PY) $(NPM) console_web run gen --silent
 
 MINUTES ?= 10
-results: $(DONE)/compiled  ## reproduce the paper and renew the README's results
+results: $(DONE)/compiled $(DONE)/dev  ## reproduce the paper and renew the README's results
 	$(BIN)/bumpless reproduce --out build/reproduce
 	@$(PY) -m bumpless_paper.readme_results build/reproduce/reproduce.json
 

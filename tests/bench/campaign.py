@@ -47,9 +47,7 @@ def figures(count: int) -> Iterator[Figure]:
         at_least=1.8,
     )
     load = os.getloadavg()[0]
-    yield figure(
-        "campaign_load", "load of the machine as it ended, two of which are ours", [load], "processes"
-    )
+    yield figure("campaign_load", "load of the machine at the end, ours included", [load], "processes")
 
 
 def _flown(prepared: Prepared, workers: int) -> Flown:

@@ -8,12 +8,13 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from bumpless_server.cli.extras import needs
+
 if TYPE_CHECKING:
     from bumpless.campaign.prepared import Prepared
     from bumpless.campaign.summary import Summary
 
 REFUSED, LOST, STOPPED = 1, 3, 130
-NEEDED = ("distributed", "jinja2", "matplotlib", "optuna", "pyarrow")
 
 File = Annotated[Path, typer.Argument(help="Campaign file.", exists=True, dir_okay=False)]
 Dask = Annotated[
@@ -61,12 +62,7 @@ def campaign(
 
 def loaded(file: Path) -> "Prepared":
     """The campaign in `file`, or the end with what is wrong with it."""
-    from importlib.util import find_spec
-
-    lacking = [name for name in NEEDED if find_spec(name) is None]
-    if lacking:
-        typer.echo(f"not installed: {', '.join(lacking)}; pip install 'bumpless[campaign]'", err=True)
-        raise typer.Exit(REFUSED)
+    needs("distributed", "jinja2", "matplotlib", "optuna", "pyarrow")
     from bumpless.campaign.read import load_campaign
     from bumpless.config.problems import ProblemsError
 

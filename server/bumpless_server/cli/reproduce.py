@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from bumpless_server.cli.extras import needs
+
 if TYPE_CHECKING:
     from bumpless_paper.report import Part
 
@@ -29,6 +31,7 @@ def reproduce(
 
     Exit codes: 0 done, 1 the folder cannot be written, 2 no such part.
     """
+    needs("distributed")
     from bumpless_paper.report.parts import PARTS, run_part, wanted_parts
     from bumpless_server.cli.progress import Progress
 

@@ -1,7 +1,7 @@
 """Compiled code in a worker: one process of a machine compiles, the others wait for it and load."""
 
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import replace
 from functools import cache
 
@@ -30,8 +30,9 @@ def _one_at_a_time() -> Iterator[None]:
     if fcntl is None:
         yield
         return
-    folder = cache_folder()
-    folder.mkdir(parents=True, exist_ok=True)
-    with (folder / "compiling").open("a") as mark:
-        fcntl.flock(mark, fcntl.LOCK_EX)
+    with ExitStack() as held:
+        with suppress(OSError):  # a folder that is not ours to write to: then nobody waits
+            folder = cache_folder()
+            folder.mkdir(parents=True, exist_ok=True)
+            fcntl.flock(held.enter_context((folder / "compiling").open("a")), fcntl.LOCK_EX)
         yield
