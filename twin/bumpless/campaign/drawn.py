@@ -12,6 +12,7 @@ from bumpless.config.vehicle import Vehicle
 Values = Mapping[str, Any]
 _VARIATION = CurrentVariation(std_mps=0.0, time_constant_s=30.0)
 _WAVE = Wave(height_m=0.0, period_s=6.0)
+OF_SENSORS = ("heading_bias_std_deg", "depth_bias_std_m")  # of the vehicle's, not of a mission's
 _FAULT = ("fault_actuator", "fault_at_s", "fault_effectiveness")
 
 
@@ -29,10 +30,11 @@ def drawn_mission(mission: Mission, values: Values) -> Mission:
 def drawn_vehicle(vehicle: Vehicle, values: Values) -> Vehicle:
     """The vehicle with the drawn deviations of its sensors' biases; the same object when none is drawn."""
     sensors, before = vehicle.sensors, vehicle.sensors
-    if "heading_bias_std_deg" in values:
-        sensors = replace(sensors, ins=replace(sensors.ins, heading_bias_deg=values["heading_bias_std_deg"]))
-    if "depth_bias_std_m" in values:
-        sensors = replace(sensors, depth=replace(sensors.depth, depth_bias_m=values["depth_bias_std_m"]))
+    heading, depth = (values.get(name) for name in OF_SENSORS)
+    if heading is not None:
+        sensors = replace(sensors, ins=replace(sensors.ins, heading_bias_deg=heading))
+    if depth is not None:
+        sensors = replace(sensors, depth=replace(sensors.depth, depth_bias_m=depth))
     return vehicle if sensors is before else replace(vehicle, sensors=sensors)
 
 

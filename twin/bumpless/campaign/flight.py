@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from bumpless.campaign.drawn import drawn_mission, drawn_vehicle, relative_current
+from bumpless.campaign.drawn import OF_SENSORS, drawn_mission, drawn_vehicle, relative_current
 from bumpless.campaign.geometry import believed_errors, nose_clearance, true_errors
 from bumpless.campaign.outcome import Decided, Judge
 from bumpless.campaign.plant import Alteration
@@ -26,14 +26,15 @@ class Hangar:
     """The twins and the log of one worker thread."""
 
     def __init__(self) -> None:
-        self._vehicle: Vehicle | None = None
+        self._of: tuple[Any, ...] = ()
         self._twin: Twin | None = None
         self._log = new_log(0)
 
-    def twin(self, vehicle: Vehicle, parameters: Parameters) -> Twin:
-        """A twin of the vehicle; the last one when it is the same vehicle."""
-        if self._twin is None or self._vehicle is not vehicle:
-            self._vehicle, self._twin = vehicle, Twin(vehicle, parameters)
+    def twin(self, vehicle: Vehicle, parameters: Parameters, values: Row) -> Twin:
+        """A twin of the vehicle as drawn; the last one when it was the same vehicle with the same sensors."""
+        of = (vehicle, *(values.get(name) for name in OF_SENSORS))
+        if self._twin is None or self._of[0] is not vehicle or self._of[1:] != of[1:]:
+            self._of, self._twin = of, Twin(drawn_vehicle(vehicle, values), parameters)
         return self._twin
 
     def log(self, cycles: int) -> np.ndarray:
@@ -60,8 +61,8 @@ def fly_number(prepared: Prepared, number: int, hangar: Hangar) -> Row:
     """The row of flight `number`."""
     setup, values, seed = prepared.setup(number), prepared.values(number), prepared.seed(number)
     mission = drawn_mission(setup.mission, values)
-    vehicle = drawn_vehicle(setup.vehicle, values)
-    twin = hangar.twin(vehicle, setup.parameters)
+    twin = hangar.twin(setup.vehicle, setup.parameters, values)
+    vehicle = twin.vehicle
     twin.start(mission, seed, setup.parameters, Alteration.of(values))
     judge = Judge(mission, vehicle, prepared.campaign.docked)
     log, decided = _flown(twin, judge, hangar.log(twin.cycles))

@@ -32,6 +32,7 @@ def believed_errors(log: npt.NDArray, mission: Mission) -> Errors:
 
 
 def _errors(eta: Floats, nu: Floats, point: Floats, mission: Mission) -> Errors:
+    eta, nu = np.ascontiguousarray(eta), np.ascontiguousarray(nu)  # of a log, whose rows are far apart
     away = eta[:, :3] - point
     heading = eta[:, 5] - np.radians(mission.target.heading_deg)
     return Errors(
@@ -50,7 +51,7 @@ def _hover_point(mission: Mission) -> Floats:
 
 def nose_clearance(log: npt.NDArray, mission: Mission, vehicle: Vehicle) -> Floats:
     """(n,) distance of the true nose from the true marker, m."""
-    eta = log["eta"]
+    eta = np.ascontiguousarray(log["eta"])
     ct = np.cos(eta[:, 4])
     ahead = np.stack([ct * np.cos(eta[:, 5]), ct * np.sin(eta[:, 5]), -np.sin(eta[:, 4])], axis=1)
     nose = eta[:, :3] + nose_x(vehicle) * ahead

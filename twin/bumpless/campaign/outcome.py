@@ -7,7 +7,7 @@ import numpy as np
 import numpy.typing as npt
 
 from bumpless.campaign.declaration import Docked
-from bumpless.campaign.geometry import nose_clearance, true_errors
+from bumpless.campaign.geometry import Errors, nose_clearance, nose_x, true_errors
 from bumpless.config.mission import Mission
 from bumpless.config.vehicle import Vehicle
 
@@ -33,6 +33,8 @@ class Judge:
     def __init__(self, mission: Mission, vehicle: Vehicle, rule: Docked) -> None:
         self.mission, self.vehicle, self.rule = mission, vehicle, rule
         self.hold = max(1, round(rule.hold_s / vehicle.control_period_s))
+        # farther away than this nothing but a breakdown can be decided: the nose cannot be at the marker
+        self.reach = max(mission.target.standoff_m + nose_x(vehicle) + rule.touch_m, rule.range_m)
         self._seen = 0  # rows
         self._inside = 0  # of these, how many in a row up to now are within the tolerances
 
@@ -42,9 +44,14 @@ class Judge:
         self._seen = len(log)
         if not len(new):
             return None
-        broken = np.logical_not(np.isfinite(new["eta"]).all(axis=1))
-        touching = nose_clearance(new, self.mission, self.vehicle) < self.rule.touch_m
-        held = self._held(self._within(new))
+        errors = true_errors(new, self.mission)
+        broken = ~np.isfinite(new["eta"].sum(axis=1))
+        if errors.range.min() > self.reach:
+            touching = held = np.zeros(len(new), bool)
+            self._inside = 0
+        else:
+            touching = nose_clearance(new, self.mission, self.vehicle) < self.rule.touch_m
+            held = self._held(self._within(new, errors))
         ends = [
             (_first(broken), "aborted", "the simulation broke down"),
             (_first(touching), "collided", f"nose within {self.rule.touch_m:g} m of the marker"),
@@ -71,8 +78,8 @@ class Judge:
         said = " and ".join(name for name, missed in far if missed)
         return Decided("time_over", f"in hover, {said} out of tolerance", len(log))
 
-    def _within(self, log: npt.NDArray) -> npt.NDArray[np.bool_]:
-        errors, rule = true_errors(log, self.mission), self.rule
+    def _within(self, log: npt.NDArray, errors: Errors) -> npt.NDArray[np.bool_]:
+        rule = self.rule
         return (
             (log["mode"] == HOVER)
             & (errors.range <= rule.range_m)
