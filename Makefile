@@ -12,6 +12,7 @@ PY := $(BIN)/python
 UV := $(BIN)/uv pip install --quiet --python $(PY)
 NPM := $(PY) hatch_build.py npm
 DONE := .venv/.make
+CORES := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
 TWIN := $(shell find twin paper -name '*.py' -o -name '*.toml')
 GENERATED = twin/bumpless/contract/bumpless_pb2.py twin/bumpless/contract/bumpless_pb2.pyi $(wildcard console_web/src/gen/*)
 
@@ -22,10 +23,18 @@ help:  ## what each command does
 run: $(DONE)/compiled console  ## install what is missing, start server and vehicle, print the address
 	@exec $(BIN)/bumpless serve $(ARGS)
 
-test: $(DONE)/compiled $(DONE)/dev console chromium  ## the whole suite, browser included (ARGS="-k docking")
+test: $(DONE)/compiled $(DONE)/dev console chromium test-console  ## the whole suite, browser included (ARGS="-k docking")
 	@$(BIN)/pytest $(ARGS)
 
-check: check-style check-imports check-types check-results check-figures check-console check-containers check-gen check-leaks  ## lint, types, import rules, generated files, containers, leaks
+CHECKS := check-types check-console check-style check-imports check-results check-figures check-containers check-gen check-docs check-declared check-leaks
+test-fast: $(DONE)/compiled $(DONE)/dev test-console  ## the tests that open no browser and fly no study, side by side
+	@$(BIN)/pytest -q -m "not slow" -n $(CORES) --dist loadfile $(ARGS)
+
+test-console: $(DONE)/build  ## the console's logic, without a browser: seconds
+	@$(NPM) console_web test --silent
+
+check:  ## lint, types, import rules, generated files, containers, leaks; seconds
+	@$(MAKE) --no-print-directory --output-sync=target -j$(CORES) $(CHECKS)
 
 check-style: $(DONE)/dev
 	$(BIN)/ruff check --quiet .
@@ -34,8 +43,15 @@ check-style: $(DONE)/dev
 check-imports: $(DONE)/dev $(DONE)/project
 	$(BIN)/lint-imports --no-logo
 
-check-types: $(DONE)/dev $(DONE)/project
-	$(BIN)/pyright
+# the longest check, done anew only when a file of the product changed
+TYPED = $(shell find twin server paper docs hatch_build.py -name '*.py' -o -name '*.pyi') tests/infra/types.py pyproject.toml
+check-types: $(DONE)/types
+$(DONE)/types: $(DONE)/dev $(DONE)/project $(TYPED)
+	$(PY) -m tests.infra.types
+	@touch $@
+
+check-test-types: $(DONE)/dev $(DONE)/project  ## types of the tests
+	$(PY) -m tests.infra.types tests
 
 check-console: $(DONE)/build
 	$(NPM) console_web run check --silent
@@ -45,15 +61,21 @@ check-containers: $(DONE)/dev
 	$(NPM) .ci exec --offline -- dclint --max-warnings 0 ../docker-compose.yml
 
 check-results: $(DONE)/dev $(DONE)/project
-	@$(PY) -m bumpless_paper.readme_results --check
+	@$(PY) -m bumpless_paper.results_page --check
 
 check-figures: $(DONE)/dev $(DONE)/project
 	@$(PY) -m tests.bench.render --check
 
 check-gen: $(DONE)/dev
-	@before=$$(cat $(GENERATED) | cksum) && $(MAKE) --no-print-directory gen && \
+	@before=$$(cat $(GENERATED) | cksum) && $(MAKE) --no-print-directory gen-code && \
 	after=$$(cat $(GENERATED) | cksum) && if [ "$$before" != "$$after" ]; then \
 		echo "The generated files were out of date; they are fresh now: commit them." >&2; exit 1; fi
+
+check-docs: $(DONE)/dev $(DONE)/project
+	$(PY) -m docs.generate --check
+
+check-declared: $(DONE)/dev $(DONE)/project
+	@$(PY) -m bumpless.config.generate --check
 
 check-leaks:
 	@! git grep -nIF -e '$(CURDIR)/' -- .
@@ -61,14 +83,24 @@ check-leaks:
 	@! git grep -nIE -e '--(extra-)?index-url|--find-links|--trusted-host|https?://' -- 'requirements*.lock'
 	@! git grep -nI -e '"resolved":' -- '*package-lock.json'
 
-gen: $(DONE)/dev  ## generate the contract's Python and TypeScript code
+gen: $(DONE)/dev $(DONE)/project gen-code  ## generate the contract's code, the schemas and the reference pages
+	@$(PY) -m bumpless.config.generate
+	@$(PY) -m docs.generate
+
+gen-code: $(DONE)/dev
 	$(PY) -m grpc_tools.protoc -I twin/bumpless/contract --python_out=twin/bumpless/contract --pyi_out=twin/bumpless/contract bumpless.proto
 	PYTHON=$(CURDIR)/$(PY) $(NPM) console_web run gen --silent
+	$(PY) -m bumpless_server.web.generate console_web/src/gen build/openapi.json
+	$(NPM) .ci exec --offline -- openapi-typescript ../build/openapi.json --default-non-nullable=false --output ../console_web/src/gen/api.ts
 
 MINUTES ?= 10
-results: $(DONE)/compiled $(DONE)/dev  ## reproduce the paper and renew the README's results
+results: $(DONE)/compiled  ## reproduce the paper and renew docs/results.md
 	$(BIN)/bumpless reproduce --out build/reproduce
-	@$(PY) -m bumpless_paper.readme_results build/reproduce/reproduce.json
+	@$(PY) -m bumpless_paper.results_page build/reproduce/reproduce.json
+
+docs: $(DONE)/build  ## build the docs, which the server shows as Help
+	@$(PY) docs/build.py
+	@echo "Built: server/bumpless_server/help/index.html (open it, or /help/ of a running server)"
 
 bench: $(DONE)/compiled $(DONE)/dev $(DONE)/bench console  ## measure every speed beside its peers (ARGS="--check", "--live 1")
 	$(PY) -m tests.bench $(ARGS)
@@ -76,9 +108,10 @@ bench: $(DONE)/compiled $(DONE)/dev $(DONE)/bench console  ## measure every spee
 bench-live: $(DONE)/compiled $(DONE)/dev console  ## a live node beside a loaded server (MINUTES=10)
 	$(PY) -m tests.bench.live_node --minutes $(MINUTES) --streams 5
 
-format: $(DONE)/dev  ## let ruff format and sort imports
+format: $(DONE)/dev  ## let ruff and biome format and sort imports
 	$(BIN)/ruff check --select I --fix .
 	$(BIN)/ruff format .
+	$(NPM) console_web run format --silent
 
 console: $(DONE)/build
 	@$(PY) hatch_build.py
@@ -89,13 +122,17 @@ chromium:
 LOCK := $(BIN)/uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header \
 	--no-annotate --no-emit-index-url --no-emit-find-links pyproject.toml
 lock: $(DONE)/build  ## resolve the dependencies anew (ARGS="--upgrade")
-	$(LOCK) $(ARGS) -o requirements.lock
+	$(LOCK) $(ARGS) --extra console --extra paper -o requirements.lock
 	$(LOCK:pyproject.toml=) $(ARGS) --group build -c requirements.lock -o requirements-build.lock
-	$(LOCK) $(ARGS) --extra campaign --group build --group dev -c requirements.lock -c requirements-build.lock -o requirements-dev.lock
-	$(LOCK) $(ARGS) --extra bench -c requirements-dev.lock -o requirements-bench.lock
+	$(LOCK) $(ARGS) --extra all --group build --group dev -c requirements.lock -c requirements-build.lock \
+		-o requirements-dev.lock
+	$(LOCK) $(ARGS) --extra console --extra paper --extra bench -c requirements-dev.lock -o requirements-bench.lock
+
+release: $(DONE)/dev $(DONE)/project  ## version, changelog, commit, wheel, tag (VERSION=x.y.z)
+	@$(PY) release.py $(VERSION)
 
 clean:  ## remove everything that was installed, built or cached (recorded data stays)
-	rm -rf .venv server/bumpless_server/static server/bumpless_server/static.new console_web/node_modules console_web/dist .ci/node_modules
+	rm -rf .venv server/bumpless_server/static server/bumpless_server/static.new server/bumpless_server/help console_web/node_modules console_web/dist .ci/node_modules
 	rm -rf .pytest_cache .ruff_cache .hypothesis .import_linter_cache dist build
 	find twin server paper tests -name __pycache__ -prune -exec rm -rf {} +
 
@@ -136,5 +173,5 @@ $(DONE)/compiled: $(DONE)/project $(TWIN)
 	@$(PY) -m bumpless.sim.warm_up missions/docking.yaml
 	@touch $@
 
-.PHONY: help run test check check-style check-imports check-types check-console check-containers check-gen \
-	check-leaks check-results check-figures gen results bench bench-live format console chromium lock clean
+.PHONY: help run test test-fast test-console check check-style check-imports check-types check-test-types check-console check-containers check-gen \
+	check-leaks check-results check-figures check-docs check-declared gen gen-code docs release results bench bench-live format console chromium lock clean

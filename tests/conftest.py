@@ -11,7 +11,7 @@ from hypothesis import settings
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page
 
-pytest_plugins = ["tests.flights"]
+pytest_plugins = ["tests.flights", "tests.slow"]
 
 settings.register_profile("bumpless", deadline=None, derandomize=True, print_blob=True)
 settings.load_profile("bumpless")

@@ -1,13 +1,10 @@
 import { render } from "preact";
-import "uplot/dist/uPlot.min.css";
-import "./styles/tokens.css";
-import "./styles/base.css";
-import "./styles/shell.css";
-import "./styles/live.css";
-import "./styles/views.css";
+import "./base/tokens.css";
+import "./gen/modes.css";
+import "./base/base.css";
+import "./base/parts.css";
 import { refreshOnNews } from "./api/resources";
-import { App } from "./app";
-import { startAgeTick } from "./stream/frame";
+import { App } from "./shell/app";
 import { connect } from "./stream/socket";
 import { live } from "./stream/store";
 
@@ -15,6 +12,6 @@ const root = document.getElementById("console");
 if (root) {
   refreshOnNews();
   connect(live);
-  startAgeTick();
+  live.keepTime();
   render(<App />, root);
 }

@@ -14,6 +14,8 @@ from google.protobuf.message import Message
 from bumpless.config.vehicle import Vehicle, VehicleError, parse_vehicle
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.version import software_version
+from bumpless.runs.names import COMPLETE
+from bumpless.runs.view import View
 from bumpless_server.data_dir import DataDir
 from bumpless_server.live.bus import Bus, NoAnswer
 from bumpless_server.live.dispatch import Dispatcher
@@ -25,10 +27,11 @@ from bumpless_server.plan.presets import Presets
 from bumpless_server.runs.catalogue import Catalogue
 from bumpless_server.runs.disk_budget import DiskBudget
 from bumpless_server.runs.recorder import Recorder
-from bumpless_server.runs.run_summary import COMPLETE
 from bumpless_server.settings import Settings
 from bumpless_server.vehicle_process.node_command import node_command
 from bumpless_server.vehicle_process.supervise import Supervisor
+from bumpless_server.views.foxglove import Foxglove
+from bumpless_server.views.ready import envelopes_ready
 
 log = logging.getLogger(__name__)
 
@@ -48,9 +51,9 @@ class Console:
         self.catalogue = Catalogue(self.data.runs, self.data.index)
         self.recorder = Recorder(
             self.data.runs,
-            self.version,
             self.say,
             self._recorded,
+            _views,
             settings.recorder_queue_messages,
             settings.recorder_queue_bytes,
             DiskBudget(
@@ -200,3 +203,8 @@ class Console:
             self.bus.command("shutdown", pb.Empty(), timeout_s=1.5)
         except NoAnswer as error:
             log.info("the node did not confirm its shutdown: %s", error)
+
+
+def _views() -> tuple[View, ...]:
+    """What a recorded run holds beside the bus."""
+    return (Foxglove(envelopes_ready),)

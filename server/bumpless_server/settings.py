@@ -47,7 +47,7 @@ class Settings(BaseSettings):
         default="full", description="the 3-D scene; light draws fewer polygons for machines without a GPU"
     )
     token: SecretStr | None = Field(
-        default=None, description="shared secret a browser must give once, see README"
+        default=None, description="shared secret a browser must give once; needed beyond loopback"
     )
     allowed_hosts: Names = Field(
         default=(), description="further host names the console is reached by, such as a reverse proxy's"

@@ -6,10 +6,12 @@ from typing import Any
 
 import numpy as np
 
-from bumpless import records
 from bumpless.config.vehicle import Vehicle
 from bumpless.control.allocation.qp import make_handle
-from bumpless.control.allocation.wrench_map import to_x, wrench_map
+from bumpless.control.allocation.record import ALLOCATION_WORK, SOLUTION
+from bumpless.control.allocation.wrench_map import wrench_map
+from bumpless.control.settings import SETTINGS
+from bumpless.physics.actuators import to_x
 from bumpless.sim.settings import fill_settings
 from bumpless.sim.twin import one, parameters_for
 from tests.bench import stream
@@ -25,10 +27,10 @@ class Ours:
 
     def __init__(self, vehicle: Vehicle, problems: np.ndarray, solver: str) -> None:
         self.model, self.problems = stream.model_of(vehicle), problems
-        self.settings = one(records.SETTINGS)
-        fill_settings(self.settings, vehicle, parameters_for(vehicle, None))
-        self.handle = make_handle(solver)
-        self.a, self.w = one(records.AUTOPILOT), one(records.ALLOCATION_WORK)
+        settings = one(SETTINGS)[0]
+        fill_settings(settings, vehicle, parameters_for(vehicle, None))
+        self.settings, self.handle = settings["allocation"], make_handle(solver)
+        self.solution, self.w = one(SOLUTION)[0], one(ALLOCATION_WORK)[0]
         self.cost, self.cpu, self.wall = np.zeros((3, len(problems)))
         self.run()
 
@@ -43,7 +45,7 @@ class Ours:
     def _replay(self, part: slice) -> None:
         out = self.cost[part], self.cpu[part], self.wall[part]
         stream.replay(
-            self.handle, self.settings[0], self.model, self.problems[part], self.a[0], self.w[0], *out
+            self.handle, self.settings, self.model, self.problems[part], self.solution, self.w, *out
         )
 
 
@@ -53,7 +55,7 @@ def suboptimality(cost: np.ndarray, best: np.ndarray) -> np.ndarray:
     return (cost - least) / (least + 1e-9)
 
 
-def start_of(model: np.record, p: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def start_of(model: np.void, p: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """(projected start, lower, upper) of a problem in the decision variables, (n,) each."""
     n = int(model["n_u"])
     lower = np.array([to_x(model, i, p["u_lower"][i]) for i in range(n)])
@@ -62,15 +64,15 @@ def start_of(model: np.record, p: Any) -> tuple[np.ndarray, np.ndarray, np.ndarr
     return np.clip(before, lower, upper), lower, upper
 
 
-def check_generic_map(model: np.record, problems: np.ndarray) -> None:
+def check_generic_map(model: np.void, problems: np.ndarray) -> None:
     """The peers' map and ours must be the same, or the comparison means nothing."""
     ops, m, tau, J = numpy_operations(), parts(model), np.zeros(6), np.zeros((6, 8))
     rng = np.random.default_rng(2)
     for p in problems[:: max(1, len(problems) // 50)]:
         x = np.append(rng.uniform(-1, 1, m.n), np.zeros(8 - m.n))
-        wrench_map(model, x, p["u_previous"], p["effectiveness"], p["nu_r"], tau, J)
+        wrench_map(model, x, p["u_previous"], p["effectiveness"], p["nu_flow"], tau, J)
         n = m.n
-        theirs = wrench(ops, m, x[:n], p["u_previous"][:n], p["effectiveness"][:n], p["nu_r"])
+        theirs = wrench(ops, m, x[:n], p["u_previous"][:n], p["effectiveness"][:n], p["nu_flow"])
         np.testing.assert_allclose(theirs, tau, atol=1e-9)
 
 
@@ -129,7 +131,7 @@ def figures(vehicle: Vehicle, rounds: int, paced_seconds: float) -> Iterator[Fig
 
 
 def _work(
-    solve: Solve, model: np.record, problems: np.ndarray, chosen: Any, starts: list, cost: np.ndarray
+    solve: Solve, model: np.void, problems: np.ndarray, chosen: Any, starts: list, cost: np.ndarray
 ) -> Any:
     tau, J = np.zeros(6), np.zeros((6, 8))
 

@@ -5,7 +5,7 @@ import resource
 import tempfile
 import time
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from bumpless.campaign.cluster import opened as cluster
@@ -32,7 +32,7 @@ class Flown:
 def figures(count: int) -> Iterator[Figure]:
     """Rows of `count` docking missions in drawn currents, on two workers and on one."""
     loaded = load_campaign(FILE)
-    prepared = Prepared(loaded.campaign.model_copy(update={"count": count}), loaded.setups)
+    prepared = Prepared(replace(loaded.campaign, count=count), loaded.setups)
     two, one = _flown(prepared, 2), _flown(prepared, 1)
     wall, title = (90.0, f"{count:,} docking missions, drawn currents, two workers, start to page")
     goal = wall * count / 10_000

@@ -19,8 +19,8 @@ from bumpless.physics.envelope import attainable_sets, wrench_curves
 from bumpless.physics.envelope_hull import hull_of_points
 from bumpless.physics.frames import body_to_ned, euler_rates
 from bumpless.physics.model import build_model
-from bumpless.physics.plant import N_STATE, new_work, state_rate
-from bumpless.sim.truth import TRUTH
+from bumpless.physics.plant import N_STATE, state_rate
+from bumpless.physics.water import ENVIRONMENT
 from bumpless.sim.twin import one, parameters_for, simulate
 from tests.bench import stream
 from tests.bench.figure import Figure, figure, interleaved
@@ -76,11 +76,11 @@ def wrench_steps(model, x, tau, dt, count, rate, work):
 
 
 @jit
-def euler_steps(model, truth, x, command, dt, count, rate, gust, healthy, work):
+def euler_steps(model, environment, x, command, dt, count, rate, gust, healthy):
     """`count` explicit Euler steps of the plant: vehicle, actuators and their lag, current."""
     time = 0.0
     for _ in range(count):
-        state_rate(model, truth, gust, healthy, time, x, command, rate, work)
+        state_rate(model, environment, gust, healthy, time, x, command, rate)
         for i in range(x.shape[0]):
             x[i] += dt * rate[i]
         time += dt
@@ -88,14 +88,14 @@ def euler_steps(model, truth, x, command, dt, count, rate, gust, healthy, work):
 
 def _our_steps(name: str, helm: tuple[float, ...] = ()) -> Callable[[], None]:
     """Steps from rest under held commands: `helm`, rad and rev/s, or 30 % of what each actuator can do."""
-    model, truth, command = build_model(load_vehicle(name)), one(TRUTH), np.zeros(8)
+    model, calm, command = build_model(load_vehicle(name)), one(ENVIRONMENT), np.zeros(8)
     command[:] = 0.3 * model["command_max"]
     command[: len(helm)] = helm
-    rate, work, x = np.zeros(N_STATE), new_work(), np.zeros(N_STATE)
+    rate, x = np.zeros(N_STATE), np.zeros(N_STATE)
 
     def work_() -> None:
         x[:] = 0.0
-        euler_steps(model, truth[0], x, command, DT, STEPS, rate, np.zeros(3), np.ones(8), work)
+        euler_steps(model, calm[0], x, command, DT, STEPS, rate, np.zeros(3), np.ones(8))
         assert np.isfinite(x).all()
 
     return work_
@@ -107,7 +107,7 @@ def _our_body() -> Callable[[], None]:
 
     def work_() -> None:
         x[:] = 0.0
-        wrench_steps(model, x, tau, DT, STEPS, np.zeros(N_STATE), new_work())
+        wrench_steps(model, x, tau, DT, STEPS, np.zeros(N_STATE), np.zeros(12))
         assert np.isfinite(x).all()
 
     return work_

@@ -21,7 +21,7 @@ BUDGET, TOLERANCE = 8, 1e-6
 PAPER_BUDGET = 3
 
 
-def paper_style(model: np.record) -> Solve:
+def paper_style(model: np.void) -> Solve:
     """As published: NumPy, a finite-difference Jacobian, OSQP set up anew in each of three iterations."""
     import osqp
     from scipy import sparse
@@ -31,7 +31,7 @@ def paper_style(model: np.record) -> Solve:
 
     def solve(p: Any, x: np.ndarray, lower: np.ndarray, upper: np.ndarray) -> np.ndarray:
         Q, R = np.diag(p["Q"]), p["lam"] * np.diag(p["R"][: m.n])
-        previous, effect, nu = p["u_previous"][: m.n], p["effectiveness"][: m.n], p["nu_r"]
+        previous, effect, nu = p["u_previous"][: m.n], p["effectiveness"][: m.n], p["nu_flow"]
 
         def G(v: np.ndarray) -> np.ndarray:
             return np.array(wrench(ops, m, v, previous, effect, nu))
@@ -51,7 +51,7 @@ def paper_style(model: np.record) -> Solve:
     return solve
 
 
-def _sqp(model: np.record, qp: Callable[..., np.ndarray | None]) -> Solve:
+def _sqp(model: np.void, qp: Callable[..., np.ndarray | None]) -> Solve:
     """Our SQP written in Python around compiled G_m and normal equations; `qp(H, g, lb, ub)` is the peer."""
     n = int(model["n_u"])
     tau, J, H, g = np.zeros(6), np.zeros((6, 8)), np.zeros((8, 8)), np.zeros(8)
@@ -83,14 +83,14 @@ def _sqp(model: np.record, qp: Callable[..., np.ndarray | None]) -> Solve:
     return solve
 
 
-def daqp_api(model: np.record) -> Solve:
+def daqp_api(model: np.void) -> Solve:
     """The same SQP with daqp's Python API."""
     daqp = importlib.import_module("daqp")
     none = np.zeros((0, int(model["n_u"])))
     return _sqp(model, lambda H, g, lb, ub: daqp.solve(np.ascontiguousarray(H), g, none, ub, lb)[0])
 
 
-def qpsolvers_api(model: np.record) -> Solve:
+def qpsolvers_api(model: np.void) -> Solve:
     """The same SQP with qpsolvers: its daqp, and its OSQP where that gives up."""
     qpsolvers = importlib.import_module("qpsolvers")
     order = [s for s in ("daqp", "quadprog", "osqp") if s in qpsolvers.available_solvers]
@@ -104,7 +104,7 @@ def qpsolvers_api(model: np.record) -> Solve:
     return _sqp(model, solve)
 
 
-def slsqp(model: np.record) -> Solve:
+def slsqp(model: np.void) -> Solve:
     """SciPy's SLSQP with compiled cost and exact gradient."""
     from scipy.optimize import minimize
 
@@ -124,7 +124,7 @@ def slsqp(model: np.record) -> Solve:
     return solve
 
 
-def ipopt(model: np.record) -> Solve:
+def ipopt(model: np.void) -> Solve:
     """CasADi's derivatives with IPOPT, built once, the cycle's data as parameters."""
     ca = importlib.import_module("casadi")
     ops = SimpleNamespace(where=ca.if_else, sin=ca.sin, atan2=ca.atan2, sqrt=ca.sqrt, abs=ca.fabs,
@@ -148,7 +148,7 @@ def ipopt(model: np.record) -> Solve:
     solver = ca.nlpsol("allocation", "ipopt", {"x": x, "p": q, "f": cost}, quiet)
 
     def solve(p: Any, start: np.ndarray, lower: np.ndarray, upper: np.ndarray) -> np.ndarray:
-        data = np.concatenate([p["tau_d"], p["nu_r"], p["Q"], [p["lam"]], p["R"][:n],
+        data = np.concatenate([p["tau_d"], p["nu_flow"], p["Q"], [p["lam"]], p["R"][:n],
                                p["u_previous"][:n], p["effectiveness"][:n]])  # fmt: skip
         found = solver(x0=start, p=data, lbx=lower, ubx=upper)
         return np.clip(np.array(found["x"]).ravel(), lower, upper)
@@ -156,7 +156,7 @@ def ipopt(model: np.record) -> Solve:
     return solve
 
 
-PEERS: dict[str, tuple[str, Callable[[np.record], Solve]]] = {
+PEERS: dict[str, tuple[str, Callable[[np.void], Solve]]] = {
     "paper": ("paper style: NumPy, finite differences, OSQP setup()", paper_style),
     "daqp": ("SQP with daqp's Python API", daqp_api),
     "qpsolvers": ("SQP with qpsolvers", qpsolvers_api),

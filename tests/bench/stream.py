@@ -4,24 +4,23 @@ from pathlib import Path
 
 import numpy as np
 
-from bumpless import records
+from bumpless.config.capacity import MAX_ACTUATORS
 from bumpless.config.mission import Mission, parse_mission
 from bumpless.config.vehicle import Vehicle
+from bumpless.contract.enums import REFUSED, RUNNING
 from bumpless.control.allocation.mdca import allocate_mdca, allocation_cost, normal_equations
 from bumpless.control.allocation.qp_active_set import solve_active_set
-from bumpless.control.allocation.wrench_map import to_x, wrench_map
+from bumpless.control.allocation.record import PROBLEM
+from bumpless.control.allocation.wrench_map import wrench_map
 from bumpless.jit import allocating, jit
 from bumpless.jit.clock import monotonic
+from bumpless.physics.actuators import to_x
 from bumpless.sim.twin import Twin
 from tests.bench.cpu_clock import thread_time
 
 ROOT = Path(__file__).parents[2]
-_FIELDS = ("tau_d", "nu_r", "effectiveness", "Q", "R", "lam", "u_lower", "u_upper", "mode")
-PROBLEM = np.dtype(
-    [(name, records.AUTOPILOT.fields[name][0]) for name in _FIELDS]  # type: ignore[index]
-    + [("u", "f8", records.MAX_ACTUATORS), ("u_previous", "f8", records.MAX_ACTUATORS)],
-    align=True,
-)
+_POSED = [(name, PROBLEM[name]) for name in PROBLEM.names or ()]
+ROW = np.dtype([*_POSED, ("mode", "i8"), ("u", "f8", MAX_ACTUATORS)], align=True)  # a problem and its answer
 
 
 def missions(vehicle: Vehicle) -> list[Mission]:
@@ -32,58 +31,52 @@ def missions(vehicle: Vehicle) -> list[Mission]:
     return [parse_mission(f.read_text(encoding="utf-8"), f.name, vehicle) for f in files]
 
 
-def model_of(vehicle: Vehicle) -> np.record:
+def model_of(vehicle: Vehicle) -> np.void:
     """What the autopilot of `vehicle` works on."""
-    return Twin(vehicle)._model
+    return Twin(vehicle).onboard["model"]
 
 
 def record(vehicle: Vehicle, mission: Mission) -> np.ndarray:
-    """PROBLEM rows, one per control cycle of `mission`, as the autopilot posed them; u is its answer.
+    """ROWs, one per control cycle of `mission`, as the autopilot posed them; u is its answer.
+    What easing missed and the price on increments are left out: the peers know neither.
 
     Empty for missions that are flown with another allocator than MD-CA.
     """
     twin = Twin(vehicle)
     twin.start(mission)
     if twin.parameters.allocation.allocator != "mdca":
-        return np.zeros(0, PROBLEM)
-    autopilot, previous = twin._a[0], np.zeros(records.MAX_ACTUATORS)
-    rows = np.zeros(int(mission.duration_s / twin.period_s), PROBLEM)
+        return np.zeros(0, ROW)
+    state, out = twin.onboard["state"], twin.onboard["output"]
+    rows = np.zeros(int(mission.duration_s / twin.period_s), ROW)
     for count, row in enumerate(rows):
-        if twin.phase != 2 or autopilot["status"] == 5:
+        if twin.phase != RUNNING or out["solution"]["status"] == REFUSED:
             return rows[:count]
         twin.step()
-        for name in _FIELDS:
-            row[name] = autopilot[name]
-        row["u"], row["u_previous"] = autopilot["u"], previous
-        previous = autopilot["u"].copy()
+        for name, _ in _POSED:
+            row[name] = out["problem"][name]
+        row["tau_d"], row["increment_price"] = state["switching"]["now"]["tau_d"], 0.0
+        row["u"], row["mode"] = state["allocation"]["u"], state["supervisor"]["mode"]
     return rows
 
 
 @jit
-def replay(handle, settings, model, problems, a, w, cost, cpu, wall):
+def replay(handle, settings, model, problems, solution, w, cost, cpu, wall):
     """Allocate each problem by MD-CA as flown, without the rest of the cycle.
 
-    Fills cost, CPU seconds of this thread and wall seconds, (len(problems),) each.
+    settings: ALLOCATION_SETTINGS. Fills cost, CPU seconds of this thread and wall seconds, one a problem.
     """
     for k in range(problems.shape[0]):
-        p = problems[k]
-        a.lam = p.lam
-        for i in range(6):
-            a.tau_d[i], a.nu_r[i], a.Q[i] = p.tau_d[i], p.nu_r[i], p.Q[i]
-        for i in range(model.n_u):
-            a.u[i], a.u_lower[i], a.u_upper[i] = p.u_previous[i], p.u_lower[i], p.u_upper[i]
-            a.R[i], a.effectiveness[i] = p.R[i], p.effectiveness[i]
         wall_began, cpu_began = monotonic(), thread_time()  # pyright: ignore[reportCallIssue]
-        allocate_mdca(handle, settings, model, a, w)
+        allocate_mdca(handle, settings, model, problems[k], solution, w)
         cpu[k] = thread_time() - cpu_began
         wall[k] = monotonic() - wall_began  # pyright: ignore[reportCallIssue]
-        cost[k] = a.cost
+        cost[k] = solution.cost
 
 
 @jit
 def cost_at(model, p, x, tau, jacobian):
     """Cost of problem `p` at x, with tau and jacobian filled."""
-    wrench_map(model, x, p.u_previous, p.effectiveness, p.nu_r, tau, jacobian)
+    wrench_map(model, x, p.u_previous, p.effectiveness, p.nu_flow, tau, jacobian)
     return allocation_cost(p.Q, p.R, p.lam, p.tau_d, tau, x, model.n_u)
 
 

@@ -8,7 +8,7 @@ from bumpless.campaign.geometry import nose_x
 from bumpless.campaign.outcome import Judge
 from bumpless.campaign.tracking import cost, shaft_energy, tracking
 from bumpless.config.mission import shipped_mission
-from bumpless.config.vehicle import Thruster
+from bumpless.contract.enums import HOVER, REVERSE, RUNNING
 from bumpless.sim.twin import new_log
 
 MISSION = shipped_mission("docking")
@@ -22,7 +22,7 @@ def hovering(ts100):
 
     def made(rows: int, short_m: float = 0.0) -> np.ndarray:
         log = new_log(rows)
-        log["mode"], log["phase"], log["kappa"] = 2, 2, 1.0
+        log["mode"], log["phase"], log["kappa"] = HOVER, RUNNING, 1.0
         log["time"] = np.arange(rows) * ts100.control_period_s
         log["eta"][:, :3] = MISSION.target.observation_point_ned_m
         log["eta"][:, 0] -= short_m
@@ -55,7 +55,7 @@ def test_range_has_a_vertical_part(hovering, ts100):
     log = hovering(600)
     log["eta"][:, 2] -= 0.2
     decided = judged(log, ts100, 200)
-    assert (decided.outcome, decided.reason) == ("time_over", "in hover, position out of tolerance")
+    assert (decided.outcome, decided.reason) == ("held", "in hover, position out of tolerance")
 
 
 def test_what_is_out_of_tolerance_is_said(hovering, ts100):
@@ -102,10 +102,10 @@ def test_tracking_is_of_the_reference_by_mode(hovering):
 def test_the_largest_step_is_sought_past_the_ramp(hovering, ts100):
     """Protects: a step that the ramp put off counts, one long after or before the switch does not."""
     log = hovering(1000)
-    log["mode"][:100] = 1
+    log["mode"][:100] = REVERSE
     log["kappa"][100:140] = 0.5
-    screw = next(i for i, a in enumerate(ts100.actuators) if isinstance(a, Thruster))
-    top = ts100.actuators[screw].command_max / 60.0
+    screw = ts100.slots("thruster")[0]
+    top = ts100.commands[screw].upper / 60.0
     for row, share in ((50, 0.5), (250, 0.2), (800, 0.9)):
         log["u"][row, screw] = share * top
     assert cost(log, ts100)["largest_step"] == pytest.approx(0.2)
@@ -114,8 +114,8 @@ def test_the_largest_step_is_sought_past_the_ramp(hovering, ts100):
 def test_energy_is_shaft_work(hovering, ts100):
     """Protects: 2 pi n Q over the time, with Q = rho D^5 K_Q n^2 in still water."""
     log = hovering(200)
-    screw = next(i for i, a in enumerate(ts100.actuators) if isinstance(a, Thruster))
-    maker = ts100.actuators[screw]
+    screw = ts100.slots("thruster")[0]
+    maker = ts100.actuators[screw]  # each has one command
     log["u_feedback"][:, screw] = 10.0
     torque = 1000.0 * maker.diameter_m**5 * maker.torque_coefficient * 100.0
     assert shaft_energy(log, ts100) == pytest.approx(2.0 * np.pi * 10.0 * torque * 10.0)

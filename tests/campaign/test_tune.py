@@ -1,6 +1,7 @@
 """The search for parameters."""
 
 import tomllib
+from dataclasses import replace
 
 import pytest
 
@@ -81,8 +82,8 @@ def test_looks_at_the_held_out_flights_are_counted(toy, tmp_path):
     fly.flown.clear()
     assert searched(tmp_path, toy, fly, True)[1].looks == 1
     assert not fly.flown
-    tune = toy.campaign.tune.model_copy(update={"trials": 30})
-    longer = Prepared(toy.campaign.model_copy(update={"tune": tune}), toy.setups)
+    tune = replace(toy.campaign.tune, trials=30)
+    longer = Prepared(replace(toy.campaign, tune=tune), toy.setups)
     _, tuned = searched(tmp_path, longer, fly, True)
     assert tuned.looks == (1 if tuned.trial < 14 else 2)
 

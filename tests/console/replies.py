@@ -72,11 +72,16 @@ def mission(name: str, title: str, summary: str, duration_s: float) -> dict[str,
     """One entry of the mission list."""
     return {
         "name": name,
+        "file": name,
         "title": title,
         "summary": summary,
+        "vehicle": "ts100",
         "duration_s": duration_s,
+        "seed": 1,
         "sha256": "5f2a9c" + "0" * 58,
         "builtin": True,
+        "valid": True,
+        "problems": [],
         "modified": "2026-01-01T00:00:00Z",
     }
 
@@ -98,29 +103,50 @@ def default_replies(server: ContractServer) -> None:
     for entry in (docking, current):
         text = (MISSIONS / entry["name"]).read_text()
         server.reply("GET", f"missions/{entry['name']}", {**entry, **geometry, "yaml": text})
-    server.reply(
-        "GET", "vehicle", {"id": "ts100", "name": "TS-100", "controllable": ["X", "Z", "K", "M", "N"]}
-    )
-    server.reply("GET", "parameters", {"revision": 1, "ranges": ranges()})
-    server.reply("GET", "presets", [{"name": "calm-sea"}])
+    server.reply("GET", "vehicle", vehicle("ts100", "TS-100", ["X", "Z", "K", "M", "N"]))
+    active = as_json(flight.parameters())
+    confirmed = {"active": active, "defaults": active, "revision": 1, "sha256": "0" * 64, "ranges": ranges()}
+    server.reply("GET", "parameters", confirmed)
     gentle = flight.parameters()
     gentle.hover.ramp_cycles = 80
     gentle.forward.q_diagonal[0] = 1.25
-    server.reply("GET", "presets/calm-sea", as_json(gentle))
+    calm = {"name": "calm-sea", "modified": "2026-01-01T00:00:00Z", "parameters": as_json(gentle)}
+    server.reply("GET", "presets", [calm])
+    server.reply("GET", "presets/calm-sea", calm)
     server.reply("GET", "runs", [run(OLD_RUN_ID, "docking_current", "complete", "duration reached")])
     server.reply("GET", f"runs/{OLD_RUN_ID}/metrics", as_json(metrics()))
     server.reply("GET", f"runs/{OLD_RUN_ID}/log.mcap", b"\x89MCAP0\r\n")
-    server.reply("POST", "scene/camera", {"view": "top"})
+    server.reply("POST", "scene/camera", {"view": "top", "viewers": 1})
+
+
+def vehicle(vehicle_id: str, name: str, controllable: list[str]) -> dict[str, Any]:
+    """What a vehicle's file says, as far as the console looks."""
+    return {
+        "id": vehicle_id,
+        "name": name,
+        "sha256": "0" * 64,
+        "control_period_s": flight.PERIOD_S,
+        "controllable": controllable,
+        "length_m": 2.2,
+        "diameter_m": 0.3,
+        "actuators": [],
+    }
 
 
 def run(run_id: str, name: str, state: str, end_reason: str) -> dict[str, Any]:
     """One entry of the list of runs."""
     return {
         "id": run_id,
+        "run_id": run_id,
         "mission": name,
+        "mission_sha256": "0" * 64,
+        "vehicle": "ts100",
         "started": "2025-12-31T10:00:00Z",
         "duration_s": 90.0,
         "bytes": 3_456_789,
+        "messages": 21_600,
+        "dropped": 0,
+        "metrics": None,
         "state": state,
         "end_reason": end_reason,
     }
@@ -135,11 +161,18 @@ def ranges() -> list[dict[str, Any]]:
         ("ramp_cycles", 1, 1000),
     ]
     listed = [
-        {"path": f"{mode}.{key}", "unit": "1", "min": low, "max": high, "label": key}
+        {"path": f"{mode}.{key}", "unit": "1", "min": low, "max": high, "label": key, "count": 0}
         for mode in ("forward", "reverse", "hover")
         for key, low, high in per_mode
     ]
     return [
         *listed,
-        {"path": "supervisor.dwell_cycles", "unit": "cycles", "min": 0, "max": 10000, "label": "dwell"},
+        {
+            "path": "supervisor.dwell_cycles",
+            "unit": "cycles",
+            "min": 0,
+            "max": 10000,
+            "label": "dwell",
+            "count": 0,
+        },
     ]

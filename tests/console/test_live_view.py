@@ -6,6 +6,7 @@ from playwright.sync_api import Page, expect
 from bumpless.contract import bumpless_pb2 as pb
 from tests.console import flight
 from tests.console.contract_server import ContractServer
+from tests.console.replies import vehicle
 
 SIZES = [(1440, 900), (1024, 768)]
 WIDER_THAN_ROOM = "all => all.filter(head => head.scrollWidth > head.clientWidth + 1).length"
@@ -74,9 +75,7 @@ def test_a_vehicle_with_other_actuators_and_sway_is_shown_whole(
     console: Page, server: ContractServer
 ) -> None:
     """Protects against a screen that knows one vehicle only."""
-    server.reply(
-        "GET", "vehicle", {"id": "blue", "name": "Blue", "controllable": ["X", "Y", "Z", "K", "M", "N"]}
-    )
+    server.reply("GET", "vehicle", vehicle("blue", "Blue", list("XYZKMN")))
     names = [f"thruster_{k}" for k in range(1, 9)]
     about = pb.VehicleDescription(
         vehicle_id="blue", vehicle_name="Blue", actuator_names=names, session_id="two"

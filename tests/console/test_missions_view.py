@@ -74,7 +74,7 @@ def test_a_name_that_exists_can_be_replaced(console: Page, server: ContractServe
     server.reply("POST", "missions", mission("docking.yaml", "Docking flight", "", 90.0), status=201)
     console.get_by_role("button", name="Replace the stored file").click()
     expect(console.get_by_text("docking.yaml is checked and stored.")).to_be_visible()
-    assert server.calls_of("POST", "missions")[-1].query == "name=docking.yaml&replace=1"
+    assert server.calls_of("POST", "missions")[-1].query == "name=docking.yaml&replace=true"
 
 
 def test_start_sends_mission_and_seed_and_shows_a_refusal_as_it_came(
@@ -141,3 +141,27 @@ def test_abort_wants_to_be_held(console: Page, server: ContractServer) -> None:
     console.keyboard.down("Space")
     server.wait_for_call("POST", "mission/abort", count=2)
     console.keyboard.up("Space")
+
+
+def test_the_keyboard_keeps_its_place_when_controls_come_and_go(
+    console: Page, server: ContractServer
+) -> None:
+    """Protects who starts and aborts by keyboard from being thrown back to the top of the page."""
+    server.reply("POST", "mission/start", {"accepted": True, "reason": ""})
+    server.reply("POST", "mission/abort", {"accepted": True, "reason": ""})
+    idle = flight.hello()
+    flying = [*flight.server_status(), *flight.cycle(10.0), *flight.mission_status(10.0)]
+    bar = console.get_by_label("Mission control")
+    bar.get_by_role("button", name="Start", exact=True).press("Enter")
+    server.wait_for_call("POST", "mission/start")
+    server.keep_saying(flying)
+    expect(bar.get_by_role("button", name="Pause")).to_be_focused()
+
+    abort = bar.get_by_role("button", name="Hold to abort")
+    abort.focus()
+    console.keyboard.down("Space")
+    server.wait_for_call("POST", "mission/abort")
+    console.keyboard.up("Space")
+    server.keep_saying(idle)
+    expect(abort).to_be_disabled()
+    expect(bar.get_by_label("Mission", exact=True)).to_be_focused()

@@ -8,11 +8,13 @@ import pytest
 from playwright.sync_api import Browser, Page, expect
 
 from bumpless.contract import bumpless_pb2 as pb
+from bumpless.contract.modes import MODES
+from bumpless_server.web import views
 from tests.console import flight
 from tests.console.conftest import show
 from tests.console.contract_server import ContractServer
 
-VIEWS = ("Live", "Missions", "Mode weights", "Runs")
+VIEWS = tuple(view.name for view in views.VIEWS)
 AA = 4.5
 TEXT = ("--ink", "--ink-2", "--accent", "--good", "--warning", "--alarm")
 ON = {
@@ -25,10 +27,11 @@ ON = {
     "--warning-soft": ("--ink", "--warning"),
     "--alarm-soft": ("--ink", "--alarm"),
     "--accent": ("--on-accent",),
+    "--warning": ("--on-warning",),
     "--danger": ("--on-danger",),
-    "--f": ("--on-mode",),
-    "--r": ("--on-mode",),
-    "--h": ("--on-mode",),
+    "--banner-alarm": ("--on-banner",),
+    "--banner-warning": ("--on-banner",),
+    **{f"--mode-{look.key}": ("--on-mode",) for look in MODES},
 }
 
 
@@ -80,9 +83,49 @@ def test_every_control_has_a_name_and_can_be_reached(console: Page) -> None:
             " || e.textContent.trim() || e.labels?.length)).map(e => e.outerHTML)"
         )
         assert nameless == []
-    show(console, "Live")
-    console.keyboard.press("Tab")
-    assert console.evaluate("document.activeElement !== document.body")
+        expect(console.get_by_role("heading", level=1)).to_have_count(1)
+        expect(console.get_by_role("heading", level=1)).to_have_text(re.compile(view))
+
+
+def test_the_keyboard_begins_with_a_way_past_the_top_line(page: Page, server: ContractServer) -> None:
+    """Protects who works without a pointer from walking the navigation on every view."""
+    page.goto(server.url)
+    expect(page.get_by_label("Link: Live")).to_be_visible()
+    page.keyboard.press("Tab")
+    expect(page.get_by_role("button", name="Skip to the view")).to_be_focused()
+    page.keyboard.press("Enter")
+    expect(page.get_by_role("main")).to_be_focused()
+
+
+def test_the_manual_is_one_step_away(console: Page) -> None:
+    """Protects the way from the screen to the docs that the server carries."""
+    manual = console.get_by_role("navigation").get_by_role("link", name="Help")
+    assert manual.get_attribute("href") == views.HELP
+
+
+def test_a_view_that_cannot_be_loaded_says_so_and_is_tried_again(page: Page, server: ContractServer) -> None:
+    """Protects an operator who opens a view for the first time while the server is away."""
+    page.goto(server.url)
+    expect(page.get_by_label("Link: Live")).to_be_visible()
+    page.route("**/assets/runs_view*.js", lambda route: route.abort())
+    show(page, "Runs")
+    expect(page.get_by_text("This view could not be loaded")).to_be_visible()
+    page.unroute_all()
+    page.get_by_role("button", name="Try again").click()
+    expect(page.get_by_label("Runs", exact=True).get_by_role("row").first).to_be_visible()
+
+
+def test_the_first_load_is_small(page: Page, server: ContractServer) -> None:
+    """Protects a thin link: all before the scene, as the server sends it, is at most 150 kB gzipped."""
+    asked: list[str] = []
+    page.on("request", lambda request: asked.append(urlsplit(request.url).path))
+    page.goto(server.url)
+    expect(page.get_by_label("Link: Live")).to_be_visible()
+    expect(page.locator("figure.plot").first).to_be_visible()
+    folder = server.console
+    files = {folder / path.strip("/") for path in asked if (folder / path.strip("/")).is_file()}
+    sizes = [min(p.stat().st_size for p in (f, f.with_name(f.name + ".gz")) if p.is_file()) for f in files]
+    assert len(sizes) > 3 and sum(sizes) <= 150_000
 
 
 def test_the_page_loads_from_its_own_origin_alone(page: Page, server: ContractServer) -> None:

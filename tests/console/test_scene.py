@@ -166,3 +166,53 @@ def test_it_says_so_when_the_server_is_gone(page: Page, flight: Flight) -> None:
         _open(page, short_lived)
     expect(page.locator("html")).to_have_attribute("data-link", "lost", timeout=PATIENCE_MS)
     expect(page.get_by_text("picture is not live")).to_be_visible()
+
+
+FRAMED = """address => {
+  document.body.innerHTML = "<iframe id=scene style='width: 640px; height: 370px'></iframe>";
+  document.getElementById("scene").src = address;
+}"""
+COUNTED = """() => {
+  const draw = WebGL2RenderingContext.prototype.drawElements;
+  window.drawn = 0;
+  WebGL2RenderingContext.prototype.drawElements = function (...all) {
+    window.drawn++;
+    draw.apply(this, all);
+  };
+}"""
+
+
+def test_an_unseen_scene_draws_nothing_and_is_up_to_date_when_seen(
+    page: Page, served: Served, flight: Flight
+) -> None:
+    """Protects the machine from a scene that renders behind another view, and the first look at it after."""
+    _open(page, served)
+    _fly_until(page, flight, pb.MODE_FORWARD, lambda p: _share(p, palette.FORWARD) > 5e-4)
+    address = page.url
+    page.goto(f"{served.origin}/api/health")  # the same origin, nothing else drawn
+    page.evaluate(FRAMED, address)
+    frame = page.frame_locator("#scene").locator("html")
+    expect(frame).to_have_attribute("data-link", "live", timeout=PATIENCE_MS)
+    expect(frame).to_have_attribute("data-seen", "yes")
+    scene = page.frames[-1]
+    scene.evaluate(COUNTED)
+
+    def drawn_over(mode: pb.Mode) -> int:
+        """Draw calls while the vehicle flies on, and the server draws for this browser."""
+        before, pictures = scene.evaluate("window.drawn"), served.scene.live.pictures
+        for _ in range(200):
+            flight.fly(mode)
+            _frame(page)
+            if served.scene.live.pictures >= pictures + 10:
+                break
+        return scene.evaluate("window.drawn") - before
+
+    assert drawn_over(pb.MODE_FORWARD) > 0
+    page.evaluate("document.getElementById('scene').hidden = true")
+    page.wait_for_function("scene.contentDocument.documentElement.dataset.seen === 'no'")
+    assert drawn_over(pb.MODE_HOVER) == 0
+    page.evaluate("document.getElementById('scene').hidden = false")
+    expect(frame).to_have_attribute("data-seen", "yes")
+    assert drawn_over(pb.MODE_HOVER) > 0
+    green = _fly_until(page, flight, pb.MODE_HOVER, lambda p: _share(p, palette.HOVER) > 5e-4)
+    assert _share(green, palette.HOVER) > 5e-4

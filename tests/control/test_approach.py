@@ -2,8 +2,8 @@
 
 import pytest
 
-from bumpless import records
 from bumpless.config.mission import parse_mission
+from bumpless.contract.enums import HOVER
 from bumpless.sim.twin import simulate
 
 
@@ -40,4 +40,4 @@ def test_a_missed_approach_is_flown_again(docking, ts100, seed):
     assert log["leg"].max() == log["leg_count"][0]  # the way back was flown
     told = [event.code for event in result.events if event.code.startswith("approach_")]
     assert told == ["approach_missed", "approach_repeated"]
-    assert log["mode"][-1] == records.HOVER and log["range_true"][-1] < 0.4
+    assert log["mode"][-1] == HOVER and log["range_true"][-1] < 0.4

@@ -3,24 +3,26 @@
 import numpy as np
 import pytest
 
-from bumpless import records
+from bumpless.config.capacity import MAX_ACTUATORS
 from bumpless.config.mission import Mission
 from bumpless.config.parameters import with_overrides
 from bumpless.config.vehicle import Vehicle
 from bumpless.control.allocation.wrench_map import wrench_map
-from bumpless.control.autopilot import smooth_flow
+from bumpless.control.flow import see_flow, smooth_flow
+from bumpless.control.guidance.record import GUIDANCE_SETTINGS
 from bumpless.sim.twin import parameters_for, simulate
 
 DRIFTING = np.array([0.4, 0.03, -0.02, 0.01, 0.02, -0.03])
 
 
 def seen(drift: float, rates: float) -> np.ndarray:
-    settings, a = np.zeros(1, records.SETTINGS)[0], np.zeros(1, records.AUTOPILOT)[0]
-    settings["dt"], settings["flow_drift"], settings["flow_rates"] = 0.05, drift, rates
-    a["nu_r"] = DRIFTING
-    smooth_flow(settings, a)
-    assert a["flow"] == pytest.approx(DRIFTING)
-    return a["nu_r"].copy()
+    settings = np.zeros(1, GUIDANCE_SETTINGS)[0]
+    settings["flow_drift"], settings["flow_rates"] = drift, rates
+    smooth, nu_flow = np.zeros(6), np.zeros(6)
+    smooth_flow(0.05, settings, True, DRIFTING, smooth)
+    assert smooth == pytest.approx(DRIFTING)
+    see_flow(settings, smooth, nu_flow)
+    return nu_flow
 
 
 def test_shares_of_drift_and_turning_are_left_out():
@@ -32,8 +34,8 @@ def test_shares_of_drift_and_turning_are_left_out():
 
 def test_without_either_the_map_is_the_published_one(model):
     """Protects: alpha = delta, so that fins amidships in a drifting hull owe the demand nothing."""
-    tau, jacobian = np.zeros(6), np.zeros((6, records.MAX_ACTUATORS))
-    still, healthy = np.zeros(records.MAX_ACTUATORS), np.ones(records.MAX_ACTUATORS)
+    tau, jacobian = np.zeros(6), np.zeros((6, MAX_ACTUATORS))
+    still, healthy = np.zeros(MAX_ACTUATORS), np.ones(MAX_ACTUATORS)
     wrench_map(model, still, still, healthy, DRIFTING, tau, jacobian)
     assert np.abs(tau[4:]).min() > 0.01
     wrench_map(model, still, still, healthy, seen(0.0, 0.0), tau, jacobian)

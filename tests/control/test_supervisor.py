@@ -5,15 +5,21 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from bumpless import records
-from bumpless.control.supervisor import filter_detection, next_mode, supervise
+from bumpless.contract.enums import FORWARD, HOVER, REVERSE
+from bumpless.control.supervisor import (
+    SUPERVISOR_SETTINGS,
+    SUPERVISOR_STATE,
+    filter_detection,
+    next_mode,
+    supervise,
+)
 
-F, R, H = records.FORWARD, records.REVERSE, records.HOVER
+F, R, H = FORWARD, REVERSE, HOVER
 
 
 @pytest.fixture(scope="module")
 def s():
-    out = np.zeros(1, records.SETTINGS)[0]
+    out = np.zeros(1, SUPERVISOR_SETTINGS)[0]
     for name, value in {"d_rh_l": 0.6, "d_rh_u": 1.5, "d_fr_l": 8.0, "d_fr_u": 12.0, "d_hf_u": 16.0}.items():
         out[name] = value
     out["n_dwell"], out["hits"], out["window"], out["hold"] = 40, 1, 1, 0
@@ -40,19 +46,19 @@ def test_guards_are_those_of_equation_53(s, mode, chi, d):
 @given(st.integers(0, 200))
 def test_no_switch_before_the_dwell_time(s, waited):
     """Protects: the average-dwell-time bound of eq. (59)."""
-    a = np.zeros(1, records.AUTOPILOT)[0]
-    a["mode"], a["cycle"], a["switch_cycle"], a["range"], a["detected"] = F, waited, 0, 1.0, 1
-    assert supervise(s, a, False) == (F if waited < 40 else R)
-    assert supervise(s, a, True) == F
+    state = np.zeros(1, SUPERVISOR_STATE)[0]
+    state["mode"], state["switch_cycle"], state["detected"] = F, 0, 1
+    assert supervise(s, state, waited, 1.0, False) == (F if waited < 40 else R)
+    assert supervise(s, state, waited, 1.0, True) == F
 
 
 @given(st.lists(st.sampled_from([0, 1]), max_size=60))
 def test_filter_off_passes_the_raw_flag(s, frames):
     """Protects: with M = N = 1 and no hold the published automaton comes out exactly."""
-    a = np.zeros(1, records.AUTOPILOT)[0]
+    state = np.zeros(1, SUPERVISOR_STATE)[0]
     for raw in frames:
-        filter_detection(s, a, raw)
-        assert a["detected"] == raw
+        filter_detection(s, raw, state)
+        assert state["detected"] == raw
 
 
 @given(
@@ -63,10 +69,10 @@ def test_filter_is_m_of_n_with_hold(s, frames, hits, hold, more):
     window = hits + more
     t = s.copy()
     t["hits"], t["window"], t["hold"] = hits, window, hold
-    a = np.zeros(1, records.AUTOPILOT)[0]
+    state = np.zeros(1, SUPERVISOR_STATE)[0]
     passed_ago = None
     for k, raw in enumerate(frames):
-        filter_detection(t, a, raw)
+        filter_detection(t, raw, state)
         recent = sum(frames[max(0, k - window + 1) : k + 1])
         passed_ago = 0 if recent >= hits else (None if passed_ago is None else passed_ago + 1)
-        assert a["detected"] == int(passed_ago is not None and passed_ago <= hold)
+        assert state["detected"] == int(passed_ago is not None and passed_ago <= hold)

@@ -7,9 +7,10 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from bumpless import records
 from bumpless.config.mission import parse_mission
 from bumpless.config.parameters import default_parameters
+from bumpless.contract.enums import COMPLETED, HOVER, RUNNING
+from bumpless.sim.log import LOG
 from bumpless.sim.twin import Twin, simulate
 
 
@@ -96,7 +97,7 @@ def test_parameters_changed_in_flight_are_blended_in(ts100, model, docking):
     )
     twin.set_parameters(replace(base, forward=bold))
     rows += [twin.step().copy() for _ in range(120)]
-    log = np.array(rows, dtype=records.LOG)
+    log = np.array(rows, dtype=LOG)
     assert log["kappa"][300] == 0.0 and log["kappa"][-1] == 1.0
     assert_proposition_1(log, model)
 
@@ -114,7 +115,7 @@ def test_pause_holds_and_resume_goes_on(ts100, model, docking):
     assert spread.max() < 0.3
     twin.resume()
     rest = np.array([twin.step().copy() for _ in range(900)])
-    assert rest["mode"][-1] == records.HOVER
+    assert rest["mode"][-1] == HOVER
     assert_proposition_1(np.concatenate([held, rest]), model)
 
 
@@ -125,7 +126,7 @@ def test_abort_brings_every_actuator_to_rest_within_its_bounds(ts100, model, doc
     rows = [twin.step().copy() for _ in range(400)]
     twin.abort("test")
     rows += [twin.step().copy() for _ in range(100)]
-    log = np.array(rows, dtype=records.LOG)
+    log = np.array(rows, dtype=LOG)
     assert_proposition_1(log, model, ramps_only=False)
     assert not log["u"][-1].any()
 
@@ -155,7 +156,7 @@ def test_same_seed_same_bytes_and_live_equals_batch(ts100, docking, flight):
         assert row.tobytes() == want.tobytes(), f"cycle {k}"
     assert flight.events[-1].code == "mission_completed"
     again = simulate(docking, ts100)
-    for name in records.LOG.names or ():
+    for name in LOG.names or ():
         if name != "solve_time":
             assert again.log[name].tobytes() == flight.log[name].tobytes(), name
 
@@ -172,10 +173,10 @@ def test_a_pause_does_not_use_up_the_mission(ts100, docking):
     twin.resume()
     for _ in range(1600):
         twin.step()
-    assert twin.phase == 2
+    assert twin.phase == RUNNING
     for _ in range(110):
         twin.step()
-    assert twin.phase == 4 and twin.drain_events()[-1].code == "mission_completed"
+    assert twin.phase == COMPLETED and twin.drain_events()[-1].code == "mission_completed"
 
 
 def test_the_autopilot_sees_measurements_only(ts100, docking, flight):

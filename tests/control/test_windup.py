@@ -5,14 +5,17 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from bumpless import records
+from bumpless.config.capacity import MAX_ACTUATORS
 from bumpless.config.parameters import default_parameters
+from bumpless.contract.enums import FORWARD
 from bumpless.control.allocation.bounds import command_bounds, limited_channels
 from bumpless.control.allocation.wrench_map import wrench_map
-from bumpless.control.pid import demand
+from bumpless.control.pid import ERRORS, PID_STATE, demand, note_unmet
+from bumpless.control.schedule import GAINS, schedule_gains
+from bumpless.control.settings import SETTINGS
 from bumpless.sim.twin import simulate
 
-N = records.MAX_ACTUATORS
+N = MAX_ACTUATORS
 SURGE, HEAVE, ROLL, PITCH, YAW = 0, 2, 3, 4, 5
 PROPELLER, FINS = 4, range(4)
 
@@ -39,14 +42,17 @@ def test_a_bound_limits_the_channels_on_which_its_actuator_has_authority(model):
 
 def test_only_a_limited_channel_is_drained(model):
     """Protects: back-calculation of one channel leaves the integrals of the others to their errors."""
-    s, a, gains = (np.zeros(1, d)[0] for d in (records.SETTINGS, records.AUTOPILOT, records.MODE_CONTROL))
-    s["dt"], s["anti_windup"], a["kappa"], a["schedule"] = 0.05, 1.0, 1.0, 1.0
-    gains["K_I"], gains["integral_limit"], gains["demand_limit"] = 1.0, 10.0, 100.0
-    a["integral"], a["tau_d"], a["tau_c"] = 2.0, 5.0, 1.0
-    a["limited"][SURGE] = 1
-    demand(s, gains, a)
-    assert a["integral"][SURGE] == pytest.approx(2.0 - 0.05 * 4.0)
-    assert (a["integral"][1:] == 2.0).all()
+    s, pid, gains, errors = (np.zeros(1, d)[0] for d in (SETTINGS, PID_STATE, GAINS, ERRORS))
+    mode, limited = s["modes"][0], np.zeros(6, np.int64)
+    s["dt"], s["allocation"]["anti_windup"] = 0.05, 1.0
+    mode["K_I"], mode["integral_limit"], mode["demand_limit"] = 1.0, 10.0, 100.0
+    pid["integral"] = 2.0
+    limited[SURGE] = 1
+    note_unmet(np.full(6, 5.0), np.ones(6), limited, pid)
+    schedule_gains(s, mode, 1.0, 0.0, 1.0, gains)
+    demand(gains, errors, pid, np.zeros(6))
+    assert pid["integral"][SURGE] == pytest.approx(2.0 - 0.05 * 4.0)
+    assert (pid["integral"][1:] == 2.0).all()
 
 
 def test_aligned_demand_equals_the_wrench_before_the_switch(ts100, docking):
@@ -62,7 +68,7 @@ def test_aligned_demand_equals_the_wrench_before_the_switch(ts100, docking):
     switches = np.flatnonzero(np.diff(log["mode"])) + 1
     assert len(switches) == 2
     for k in switches:
-        gains = parameters.modes[log["mode"][k]]
+        gains = parameters.modes[log["mode"][k] - FORWARD]
         for i in np.flatnonzero(base.bumpless.align_channels):
             if gains.ki[i] > 0.0 and abs(log["integral"][k, i]) < 0.999 * gains.integral_limit[i]:
                 assert log["tau_plus"][k, i] == pytest.approx(log["tau_c"][k - 1, i], abs=1e-9), (k, i)

@@ -6,6 +6,7 @@ from google.protobuf import descriptor_pb2, descriptor_pool, message_factory
 
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract import keys
+from bumpless.contract.messages import descriptor_set
 
 
 def test_every_stamped_telemetry_message_has_a_topic() -> None:
@@ -56,7 +57,7 @@ def test_encoding_names_the_message() -> None:
 
 def test_descriptor_set_alone_decodes_a_payload() -> None:
     """A reader without our code must understand log and bus from the served descriptors."""
-    files = descriptor_pb2.FileDescriptorSet.FromString(keys.descriptor_set())
+    files = descriptor_pb2.FileDescriptorSet.FromString(descriptor_set(pb.Stamp))
     pool = descriptor_pool.DescriptorPool()
     for file in files.file:
         pool.Add(file)

@@ -27,7 +27,7 @@ def wheel(tmp_path_factory: pytest.TempPathFactory) -> Iterator[zipfile.ZipFile]
         yield archive
 
 
-def test_wheel_carries_data_missions_and_console(wheel: zipfile.ZipFile) -> None:
+def test_wheel_carries_data_missions_console_and_help(wheel: zipfile.ZipFile) -> None:
     """A user of the wheel has neither Node nor this repository."""
     names = set(wheel.namelist())
     wanted = {f"bumpless/config/vehicles/{path.name}" for path in VEHICLES.glob("*.toml")}
@@ -36,9 +36,20 @@ def test_wheel_carries_data_missions_and_console(wheel: zipfile.ZipFile) -> None
         "bumpless/contract/bumpless.proto",
         "bumpless/contract/bumpless_pb2.py",
         "bumpless_server/static/index.html",
+        "bumpless_server/help/index.html",
+        "bumpless_server/help/policy.txt",
     }
     assert len(wanted) > 4
     assert wanted <= names
+
+
+def test_wheel_carries_the_page_compressed(wheel: zipfile.ZipFile) -> None:
+    """Protects thin links: the server compresses nothing itself, it sends what the build has put there."""
+    names = set(wheel.namelist())
+    scripts = {name for name in names if name.startswith("bumpless_server/static/assets/index-")}
+    whole = {name for name in scripts if name.endswith((".js", ".css"))}
+    assert len(whole) == 2
+    assert scripts == {name + ending for name in whole for ending in ("", ".br", ".gz")}
 
 
 def test_wheel_carries_nothing_else(wheel: zipfile.ZipFile) -> None:

@@ -12,14 +12,30 @@ from packaging.version import Version
 ROOT = Path(__file__).resolve().parents[2]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())
 DEPENDENCIES = PROJECT["project"]["dependencies"]
+EXTRAS = PROJECT["project"]["optional-dependencies"]
 GROUPS = PROJECT["dependency-groups"]
+
+
+def extra(name: str) -> list[str]:
+    """What an extra brings, those that it names included."""
+    found: list[str] = []
+    for text in EXTRAS[name]:
+        wanted = Requirement(text)
+        own = canonicalize_name(wanted.name) == "bumpless"
+        found += [one for inner in wanted.extras for one in extra(inner)] if own else [text]
+    return found
+
+
+RUN = [*DEPENDENCIES, *extra("console"), *extra("paper")]
 LOCKS = {
-    "requirements.lock": DEPENDENCIES,
+    "requirements.lock": RUN,
     "requirements-build.lock": GROUPS["build"],
-    "requirements-dev.lock": [*DEPENDENCIES, *GROUPS["build"], *GROUPS["dev"]],
-    "requirements-bench.lock": [*DEPENDENCIES, *PROJECT["project"]["optional-dependencies"]["bench"]],
+    "requirements-dev.lock": [*DEPENDENCIES, *extra("all"), *GROUPS["build"], *GROUPS["dev"]],
+    "requirements-bench.lock": [*RUN, *extra("bench")],
 }
-GENERATED = {"bumpless_pb2.py", "bumpless_pb2.pyi", "bumpless_pb.ts"}
+# the user fixed these as the project's core packages
+CORE = {"fastapi", "uvicorn", "viser", "numpy", "osqp", "eclipse-zenoh", "mcap", "pytest"}
+GENERATED = {"bumpless_pb2.py", "bumpless_pb2.pyi", "bumpless_pb.ts", "api.ts", "house.ts"}
 
 
 def pins(lock: str) -> dict[str, set[Version]]:
@@ -48,6 +64,12 @@ def test_lock_pins_what_the_project_asks_for(lock: str) -> None:
         versions = pinned.get(canonicalize_name(wanted.name))
         assert versions, f"{lock} lacks {wanted.name}: run `make lock`"
         assert all(wanted.specifier.contains(version) for version in versions), f"{lock}: {text}"
+
+
+def test_core_packages_are_asked_for() -> None:
+    """Protects: the user's choice of packages; which extra brings one may change, that one does may not."""
+    asked = {canonicalize_name(Requirement(text).name) for text in LOCKS["requirements-dev.lock"]}
+    assert asked >= CORE
 
 
 @pytest.mark.parametrize("lock", LOCKS)

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 from bumpless.config.vehicle import Vehicle, load_vehicle
-from bumpless.metrics import Run
+from bumpless.contract.enums import FORWARD, SOLVED
+from bumpless.metrics import Columns
 
 N_U = 7
 
@@ -18,25 +19,30 @@ def ts100() -> Vehicle:
     return load_vehicle("ts100")
 
 
-def quiet(n: int, **columns: Any) -> Run:
+def quiet(n: int, **columns: Any) -> Columns:
     """n cycles in F in which nothing happens, with some columns replaced."""
     base: dict[str, Any] = {
         "time": 0.05 * np.arange(n),
         "cycle": np.arange(100, 100 + n),
-        "mode": np.zeros(n, np.int64),
+        "mode": np.full(n, FORWARD),
         "kappa": np.ones(n),
         "range": np.linspace(10.0, 1.0, n),
         "depth": np.full(n, 2.0),
-        "status": np.ones(n, np.int64),
+        "status": np.full(n, SOLVED),
         "solve_time": np.full(n, 20e-6),
     }
     base |= {name: np.zeros((n, 6)) for name in ("eta_hat", "nu_hat", "tau_d", "tau_plus", "tau_minus")}
-    base |= {name: np.zeros((n, 6)) for name in ("tau_c", "tau")}
+    base |= {name: np.zeros((n, 6)) for name in ("tau_c", "tau", "eta", "nu")}
+    base |= {
+        "observation_point": np.zeros((n, 3)),
+        "target": np.zeros((n, 4)),
+        "target_true": np.zeros((n, 3)),
+    }
     base |= {"u": np.zeros((n, N_U)), "du_max": np.full((n, N_U), 0.02)}
-    return Run(**(base | columns))
+    return Columns(**(base | columns))
 
 
 @pytest.fixture
-def make_run() -> Callable[..., Run]:
+def make_run() -> Callable[..., Columns]:
     """See `quiet`."""
     return quiet

@@ -8,10 +8,11 @@ import pytest
 
 from bumpless.config.vehicle import Vehicle
 from bumpless.contract import bumpless_pb2 as pb
-from bumpless.metrics import Run, as_dict, metrics_of
-from bumpless.records import FORWARD, HOVER, LOG, REVERSE
+from bumpless.contract.enums import FORWARD, HOVER, REVERSE
+from bumpless.metrics import Columns, as_dict, metrics_of
+from bumpless.sim.log import LOG
 
-MakeRun = Callable[..., Run]
+MakeRun = Callable[..., Columns]
 
 
 def test_residual_counts_controllable_components_only(make_run: MakeRun, ts100: Vehicle) -> None:
@@ -68,7 +69,9 @@ def test_mode_figures_are_about_each_stay(make_run: MakeRun, ts100: Vehicle) -> 
     eta[:, 5] = math.pi - 0.001 + 0.002 * (np.arange(n) % 2)
     eta[:, 5] = np.where(eta[:, 5] > math.pi, eta[:, 5] - 2 * math.pi, eta[:, 5])
     hover = next(
-        m for m in metrics_of(make_run(n, mode=mode, depth=depth, eta_hat=eta), ts100).modes if m.mode == 3
+        m
+        for m in metrics_of(make_run(n, mode=mode, depth=depth, eta_hat=eta), ts100).modes
+        if m.mode == HOVER
     )
     assert (hover.samples, hover.duration_s) == (80, pytest.approx(4.0))
     assert hover.depth_rms_m == pytest.approx(math.sqrt((0.1**2 + 0.5**2) / 2))
@@ -101,7 +104,7 @@ def test_solve_times_and_solved_share(make_run: MakeRun, ts100: Vehicle) -> None
 
 def test_an_empty_run_has_no_figures(ts100: Vehicle) -> None:
     """A mission aborted before its first cycle is no error."""
-    run = Run.from_log(np.zeros(0, LOG), 7)
+    run = Columns.from_log(np.zeros(0, LOG), 7)
     assert (len(run), run.missing) == (0, 0)
     assert metrics_of(run, ts100).cycles == 0
 
@@ -111,4 +114,4 @@ def test_only_cycles_of_the_mission_count(ts100: Vehicle) -> None:
     log = np.zeros(6, LOG)
     log["phase"] = [1, 2, 2, 3, 4, 5]
     log["cycle"] = np.arange(6)
-    assert list(Run.from_log(log, 7).cycle) == [1, 2, 3]
+    assert list(Columns.from_log(log, 7).cycle) == [1, 2, 3]

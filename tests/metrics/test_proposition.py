@@ -6,23 +6,24 @@ import numpy as np
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from bumpless.metrics import Run
+from bumpless.contract.enums import FORWARD, MODES, REVERSE
+from bumpless.metrics import Columns
 from bumpless.metrics.proposition import demand_step_violations, increment_violations
 
-MakeRun = Callable[..., Run]
+MakeRun = Callable[..., Columns]
 BOUND = np.full(7, 1.0)
 
 
 def ramped(tau_plus: np.ndarray, switches: list[int], n_sw: int) -> dict[str, np.ndarray]:
     """Columns of a run that follows eqs. (54) and (55) for these raw demands and switch rows."""
     n = len(tau_plus)
-    mode, kappa = np.zeros(n, np.int64), np.ones(n)
+    mode, kappa = np.full(n, FORWARD), np.ones(n)
     tau_d, tau_minus = np.zeros((n, 6)), np.zeros((n, 6))
     tau_d[0], k_s = tau_plus[0], -n_sw
     for k in range(1, n):
         mode[k], tau_minus[k] = mode[k - 1], tau_minus[k - 1]
         if k in switches:
-            mode[k], tau_minus[k], k_s = (mode[k] + 1) % 3, tau_d[k - 1], k
+            mode[k], tau_minus[k], k_s = FORWARD + mode[k] % len(MODES), tau_d[k - 1], k
         kappa[k] = min(1.0, (k - k_s) / n_sw)
         tau_d[k] = (1.0 - kappa[k]) * tau_minus[k] + kappa[k] * tau_plus[k]
     return {"mode": mode, "kappa": kappa, "tau_d": tau_d, "tau_plus": tau_plus, "tau_minus": tau_minus}
@@ -47,7 +48,7 @@ def test_a_hard_switch_is_found_once(make_run: MakeRun) -> None:
     tau_plus = np.zeros((60, 6))
     tau_plus[30:, 0] = 4.0
     columns = ramped(tau_plus, [], 1)
-    columns["mode"][30:] = 1
+    columns["mode"][30:] = REVERSE
     assert demand_step_violations(make_run(60, **columns)) == 1
 
 
@@ -63,7 +64,7 @@ def test_a_gap_excuses_a_step(make_run: MakeRun) -> None:
     tau_plus = np.zeros((60, 6))
     tau_plus[30:, 0] = 4.0
     columns = ramped(tau_plus, [], 1)
-    columns["mode"][30:] = 1
+    columns["mode"][30:] = REVERSE
     cycle = np.arange(60)
     cycle[30:] += 1
     assert demand_step_violations(make_run(60, cycle=cycle, **columns)) == 0

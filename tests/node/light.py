@@ -8,8 +8,8 @@ import numpy as np
 from bumpless.config.parameters import default_parameters
 from bumpless.config.vehicle import Vehicle
 from bumpless.contract import bumpless_pb2 as pb
-from bumpless.records import LOG
 from bumpless.sim.events import TwinEvent
+from bumpless.sim.log import LOG
 
 
 class LightTwin:

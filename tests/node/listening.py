@@ -17,7 +17,7 @@ from google.protobuf.descriptor_pool import Default
 
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract import keys
-from bumpless.node.session import session_config
+from bumpless.node.session import node_config
 
 ROOT = Path(__file__).parents[2]
 PATIENCE_S = 60.0  # for what must come; nothing is measured by it
@@ -90,7 +90,7 @@ class Listener:
 @contextmanager
 def listening(*listen: str, connect: tuple[str, ...] = ()) -> Iterator[Listener]:
     """A listener that listens on these endpoints."""
-    with zenoh.open(session_config(connect, listen, "peer")) as session:
+    with zenoh.open(node_config(connect, listen, "peer")) as session:
         yield Listener(session)
 
 

@@ -6,7 +6,7 @@ import threading
 import zenoh
 
 from bumpless.contract import keys
-from bumpless.node.session import session_config
+from bumpless.node.session import node_config
 
 
 def hang(sample: zenoh.Sample) -> None:
@@ -16,6 +16,6 @@ def hang(sample: zenoh.Sample) -> None:
 
 
 if __name__ == "__main__":
-    with zenoh.open(session_config([sys.argv[1]])) as session:
+    with zenoh.open(node_config([sys.argv[1]])) as session:
         held = session.declare_subscriber(f"{keys.ROOT}/ts100/**", hang)
         threading.Event().wait()

@@ -9,7 +9,7 @@ import zenoh
 
 from bumpless.node import links
 from bumpless.node.claim import Claim, TakenError
-from bumpless.node.session import session_config
+from bumpless.node.session import node_config
 from tests.node.gate import Gate, gate
 from tests.node.listening import PATIENCE_S, free_port
 
@@ -18,10 +18,10 @@ from tests.node.listening import PATIENCE_S, free_port
 def apart() -> Iterator[tuple[zenoh.Session, zenoh.Session, Gate]]:
     """Two nodes' sessions on one bus that reach each other only when the gate opens."""
     hub, port = f"tcp/127.0.0.1:{free_port()}", free_port()
-    with gate(port) as door, zenoh.open(session_config([], [hub], "peer")):
-        config = session_config([hub, f"tcp/127.0.0.1:{door.port}"], [], "peer")
+    with gate(port) as door, zenoh.open(node_config([], [hub], "peer")):
+        config = node_config([hub, f"tcp/127.0.0.1:{door.port}"], [], "peer")
         config.insert_json5("scouting/gossip/enabled", "false")  # no other way to the first than the gate
-        with zenoh.open(session_config([hub], [f"tcp/127.0.0.1:{port}"], "peer")) as first:
+        with zenoh.open(node_config([hub], [f"tcp/127.0.0.1:{port}"], "peer")) as first:
             with zenoh.open(config) as second:
                 yield first, second, door
 

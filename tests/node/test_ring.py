@@ -8,8 +8,8 @@ import pytest
 from bumpless.config.parameters import default_parameters
 from bumpless.config.vehicle import load_vehicle
 from bumpless.node.ring import Cycle, Ring
-from bumpless.records import LOG
 from bumpless.sim.events import TwinEvent
+from bumpless.sim.log import LOG
 from bumpless.telemetry import FlightState
 
 

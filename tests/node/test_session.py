@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from bumpless.node.session import choose_mode, session_config
+from bumpless.node.session import choose_mode, node_config
 
 
 @pytest.mark.parametrize(
@@ -25,9 +25,9 @@ def test_a_way_to_another_machine_makes_a_client(connect: list[str], listen: lis
 
 def test_nothing_listens_beyond_this_machine_unless_told_to() -> None:
     """Multicast off, no shared memory, and a peer's own endpoint on loopback."""
-    config = session_config(["tcp/127.0.0.1:7447"])
+    config = node_config(["tcp/127.0.0.1:7447"])
     assert json.loads(config.get_json("listen/endpoints")) == ["tcp/127.0.0.1:0"]
     assert json.loads(config.get_json("scouting/multicast/enabled")) is False
     assert json.loads(config.get_json("transport/link/tx/lease")) == 1000
-    client = session_config(["tcp/router:7447"])
+    client = node_config(["tcp/router:7447"])
     assert json.loads(client.get_json("listen/endpoints")) == []

@@ -6,13 +6,17 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
-from bumpless import records
-from bumpless.physics.actuators import fin_force, total_wrench
+from bumpless.config.capacity import MAX_ACTUATORS
+from bumpless.physics.actuators import total_wrench
+from bumpless.physics.actuators.fin import fin_force
 from bumpless.physics.dynamics import coriolis_force, damping_force, restoring_force
+from bumpless.physics.faults import FAULTS
 from bumpless.physics.frames import body_to_ned, euler_rates, ned_to_body
-from bumpless.physics.plant import new_work, observe_plant, state_rate, step_plant
-from bumpless.physics.water import water_velocity
-from bumpless.sim.truth import TRUTH
+from bumpless.physics.plant import PLANT, observe_plant, state_rate, step_plant
+from bumpless.physics.sensors import N_NOISE
+from bumpless.physics.water import ENVIRONMENT, water_velocity
+
+CALM, WHOLE = np.zeros(1, ENVIRONMENT)[0], np.zeros(1, FAULTS)[0]  # water at rest, nothing broken
 
 angle = st.floats(-3.1, 3.1)
 pitch = st.floats(-1.4, 1.4)
@@ -87,7 +91,7 @@ def test_restoring_force_derives_from_a_potential(model, phi, theta):
 
 
 def free_plant(nu, eta=None):
-    plant = np.zeros(1, records.PLANT)
+    plant = np.zeros(1, PLANT)
     plant[0]["nu"] = nu
     plant[0]["eta"] = [0, 0, 20, 0, 0, 0] if eta is None else eta
     plant[0]["effectiveness"] = 1.0
@@ -109,11 +113,11 @@ def energy(model, plant):
 @given(vector6.map(lambda v: v * np.array([1, 0.5, 0.5, 0.3, 0.3, 0.3])))
 def test_energy_never_grows_unforced(model, nu):
     """Protects: with propellers stopped and fins amidships the whole plant is passive."""
-    truth, plant, work = np.zeros(1, TRUTH), free_plant(nu), new_work()
-    noise, command = np.zeros(records.N_NOISE), np.zeros(records.MAX_ACTUATORS)
+    plant = free_plant(nu)
+    noise, command = np.zeros(N_NOISE), np.zeros(MAX_ACTUATORS)
     before = energy(model, plant)
     for _ in range(100):
-        step_plant(model, truth[0], plant[0], command, 0.02, 1, noise, work)
+        step_plant(model, CALM, WHOLE, plant[0], command, 0.02, 1, noise)
         after = energy(model, plant)
         assert after <= before + 1e-7 * (1 + abs(before))
         before = after
@@ -124,23 +128,23 @@ def test_energy_is_conserved_without_damping_or_fins(model):
     ideal = model.copy()
     for name in ("D_linear", "D_quadratic", "D_lift", "fin_area", "T_nv", "Q_nv"):
         ideal[name] = 0.0
-    truth, plant, work = np.zeros(1, TRUTH), free_plant([0.6, 0.2, -0.1, 0.2, 0.15, -0.1]), new_work()
-    noise, command = np.zeros(records.N_NOISE), np.zeros(records.MAX_ACTUATORS)
+    plant = free_plant([0.6, 0.2, -0.1, 0.2, 0.15, -0.1])
+    noise, command = np.zeros(N_NOISE), np.zeros(MAX_ACTUATORS)
     start = energy(ideal, plant)
     for _ in range(1000):
-        step_plant(ideal, truth[0], plant[0], command, 0.02, 2, noise, work)
+        step_plant(ideal, CALM, WHOLE, plant[0], command, 0.02, 2, noise)
     assert energy(ideal, plant) == pytest.approx(start, rel=1e-7)
 
 
 def test_integrator_is_of_fourth_order(model):
     """Protects: halving the step cuts the error of a smooth manoeuvre about sixteen times."""
-    truth, work, noise = np.zeros(1, TRUTH), new_work(), np.zeros(records.N_NOISE)
+    noise = np.zeros(N_NOISE)
 
     def end(substeps):
         plant = free_plant([0.5, 0.02, 0.01, 0.05, 0.02, -0.03])
-        command = np.zeros(records.MAX_ACTUATORS)
+        command = np.zeros(MAX_ACTUATORS)
         for _ in range(10):
-            step_plant(model, truth[0], plant[0], command, 0.4, substeps, noise, work)
+            step_plant(model, CALM, WHOLE, plant[0], command, 0.4, substeps, noise)
         return np.concatenate([plant[0]["eta"], plant[0]["nu"]])
 
     exact = end(64)
@@ -151,11 +155,12 @@ def test_integrator_is_of_fourth_order(model):
 
 def test_a_steady_current_carries_the_vehicle_along(model):
     """Protects: only velocity through water makes hydrodynamic force: drifting with the water is free."""
-    truth, plant, work = np.zeros(1, TRUTH), free_plant([0.3, -0.2, 0, 0, 0, 0]), new_work()
-    truth[0]["current"] = [0.3, -0.2, 0.0]
-    noise, command = np.zeros(records.N_NOISE), np.zeros(records.MAX_ACTUATORS)
+    plant = free_plant([0.3, -0.2, 0, 0, 0, 0])
+    stream = np.zeros(1, ENVIRONMENT)[0]
+    stream["current"] = [0.3, -0.2, 0.0]
+    noise, command = np.zeros(N_NOISE), np.zeros(MAX_ACTUATORS)
     for _ in range(200):
-        step_plant(model, truth[0], plant[0], command, 0.05, 2, noise, work)
+        step_plant(model, stream, WHOLE, plant[0], command, 0.05, 2, noise)
     np.testing.assert_allclose(plant[0]["nu"], [0.3, -0.2, 0, 0, 0, 0], atol=1e-9)
     np.testing.assert_allclose(plant[0]["eta"][:2], [3.0, -2.0], atol=1e-8)
 
@@ -165,17 +170,17 @@ def test_waves_carry_a_vehicle_as_heavy_as_its_water_along(model):
     way, a neutrally buoyant vehicle gets the water's own acceleration."""
     afloat = model.copy()
     afloat["buoyancy"], afloat["r_b"] = afloat["weight"], afloat["r_g"]
-    truth, plant = np.zeros(1, TRUTH), free_plant(np.zeros(6))
-    truth[0]["wave_height"], truth[0]["wave_period"], truth[0]["wave_direction"] = 0.4, 5.0, 0.7
+    sea, plant = np.zeros(1, ENVIRONMENT)[0], free_plant(np.zeros(6))
+    sea["wave_height"], sea["wave_period"], sea["wave_direction"] = 0.4, 5.0, 0.7
     velocity, acceleration, rate = np.zeros(3), np.zeros(3), np.zeros(20)
-    command, work = np.zeros(records.MAX_ACTUATORS), np.zeros(48)
+    command = np.zeros(MAX_ACTUATORS)
     x = np.zeros(20)
     x[:6] = [1.0, 2.0, 1.5, 0.0, 0.0, 0.9]
     for time in np.linspace(0.0, 5.0, 7):
-        water_velocity(truth[0], plant[0]["gust"], time, x[:6], velocity, acceleration)
+        water_velocity(sea, plant[0]["gust"], time, x[:6], velocity, acceleration)
         ned_to_body(0.0, 0.0, 0.9, velocity, x[6:9])
         healthy = plant[0]["effectiveness"]
-        state_rate(afloat, truth[0], plant[0]["gust"], healthy, time, x, command, rate, work)
+        state_rate(afloat, sea, plant[0]["gust"], healthy, time, x, command, rate)
         expected = np.zeros(3)
         ned_to_body(0.0, 0.0, 0.9, acceleration, expected)
         np.testing.assert_allclose(rate[6:12], [*expected, 0, 0, 0], atol=1e-9)
@@ -187,14 +192,14 @@ def test_turning_circles_to_port_and_starboard_mirror_each_other(model):
     even["Q_nn"] = even["Q_nv"] = 0.0
     ends = []
     for side in (1.0, -1.0):
-        truth, plant, work = np.zeros(1, TRUTH), free_plant([0.6, 0, 0, 0, 0, 0]), new_work()
-        noise, command = np.zeros(records.N_NOISE), np.zeros(records.MAX_ACTUATORS)
+        plant = free_plant([0.6, 0, 0, 0, 0, 0])
+        noise, command = np.zeros(N_NOISE), np.zeros(MAX_ACTUATORS)
         jacobian = yaw_column(even)
         for i in range(4):
             command[i] = side * 0.15 * np.sign(jacobian[i])
         command[4] = 3.0
         for _ in range(400):
-            step_plant(even, truth[0], plant[0], command, 0.05, 2, noise, work)
+            step_plant(even, CALM, WHOLE, plant[0], command, 0.05, 2, noise)
         ends.append(plant[0]["eta"].copy())
     starboard, port = ends
     assert abs(starboard[5]) > 0.2
@@ -215,9 +220,9 @@ def test_forward_speed_settles_where_thrust_meets_drag(model):
     """Protects: the simulated top speed equals the root of thrust minus drag found independently."""
     from scipy.optimize import brentq
 
-    u = np.zeros(records.MAX_ACTUATORS)
+    u = np.zeros(MAX_ACTUATORS)
     u[4] = 2.5
-    healthy = np.ones(records.MAX_ACTUATORS)
+    healthy = np.ones(MAX_ACTUATORS)
 
     def surplus(speed):
         nu, tau, drag = np.array([speed, 0, 0, 0, 0, 0.0]), np.zeros(6), np.zeros(6)
@@ -228,14 +233,9 @@ def test_forward_speed_settles_where_thrust_meets_drag(model):
     expected = brentq(surplus, 0.05, 3.0)
     calm = model.copy()
     calm["Q_nn"] = calm["Q_nv"] = 0.0  # no heel, so that the balance is in surge alone
-    truth, plant, work, noise = (
-        np.zeros(1, TRUTH),
-        free_plant(np.zeros(6)),
-        new_work(),
-        np.zeros(records.N_NOISE),
-    )
+    plant, noise = free_plant(np.zeros(6)), np.zeros(N_NOISE)
     for _ in range(4000):
-        step_plant(calm, truth[0], plant[0], u, 0.05, 2, noise, work)
+        step_plant(calm, CALM, WHOLE, plant[0], u, 0.05, 2, noise)
     assert plant[0]["nu"][0] == pytest.approx(expected, rel=1e-6)
 
 
@@ -262,9 +262,9 @@ def _flow(model, i, nu):
 
 def test_the_actuator_wrench_seen_by_the_log_is_the_plants(model):
     """Protects: `observe_plant` reports the wrench that moves the vehicle."""
-    truth, plant, work = np.zeros(1, TRUTH), free_plant([0.4, 0.01, 0, 0, 0, 0]), new_work()
+    plant = free_plant([0.4, 0.01, 0, 0, 0, 0])
     plant[0]["u"][:7] = [0.1, -0.1, 0.05, 0.0, 2.0, 1.0, -1.0]
     expected = np.zeros(6)
     total_wrench(model, plant[0]["u"], plant[0]["effectiveness"], plant[0]["nu"], expected)
-    observe_plant(model, truth[0], plant[0], work)
-    np.testing.assert_allclose(plant[0]["tau"], expected, atol=1e-12)
+    observe_plant(model, CALM, plant[0])
+    np.testing.assert_allclose(plant[0]["seen"]["tau"], expected, atol=1e-12)

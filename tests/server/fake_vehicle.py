@@ -22,8 +22,8 @@ from bumpless.config.parameters import default_parameters, to_message
 from bumpless.config.vehicle import load_vehicle
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract import keys
+from bumpless.contract.session import session_config
 from bumpless.telemetry import problem_messages
-from bumpless_server.live.bus import session_config
 
 PERIOD_S = 0.05
 
@@ -173,7 +173,7 @@ def main() -> int:
     options = parser.parse_args()
     if options.exit is not None:
         return options.exit
-    config = session_config((), (options.connect,))
+    config = session_config("peer", (options.connect,))
     config.insert_json5("connect/retry", json.dumps({"period_init_ms": 100, "period_max_ms": 200}))
     with zenoh.open(config) as session:
         fake = FakeVehicle(session, options.mission_s, options.told)

@@ -2,9 +2,8 @@
 
 import pytest
 
-from bumpless import records
 from bumpless.config.mission import parse_mission
-from bumpless.sim.cycle import COMPLETED, RUNNING
+from bumpless.contract.enums import COMPLETED, HOVER, REVERSE, RUNNING
 from bumpless.sim.twin import Twin, simulate
 
 
@@ -31,16 +30,18 @@ def test_a_hold_starts_again_after_the_vehicle_was_out_of_range(ts100, docking):
     in_range, held, breaks = twin.parameters.supervisor.range_rh_upper_m, 0, 0
     for _ in range(1800):
         row = twin.step()
-        in_place = row["mode"] == records.HOVER and row["range"] <= in_range
+        in_place = row["mode"] == HOVER and row["range"] <= in_range
         breaks += held > 0 and not in_place
         held = held + 1 if in_place else 0
-        if row["mode"] == records.HOVER and held == 20 and breaks == 0:
-            twin._a[0]["eta"][0] -= 2.5  # the estimate jumps; the camera soon brings the target along
+        if row["mode"] == HOVER and held == 20 and breaks == 0:
+            twin.onboard["state"]["navigation"]["eta"][0] -= (
+                2.5  # the estimate jumps; the camera soon brings the target along
+            )
         if twin.phase == COMPLETED:
             break
     assert twin.phase == COMPLETED
     assert breaks == 1 and held == 100
-    assert row["mode"] == records.HOVER and row["previous_mode"] == records.REVERSE
+    assert row["mode"] == HOVER and row["previous_mode"] == REVERSE
 
 
 def test_a_pause_ends_a_hold(ts100, docking):
@@ -48,7 +49,7 @@ def test_a_pause_ends_a_hold(ts100, docking):
     mission = parse_mission(docking.text + "\nend: {hover_hold_s: 5}\n", "hold.yaml", ts100)
     twin = Twin(ts100)
     twin.start(mission)
-    while twin._a[0]["hover_cycles"] < 60:
+    while twin.onboard["state"]["supervisor"]["hover_cycles"] < 60:
         twin.step()
     twin.pause()
     for _ in range(60):

@@ -2,8 +2,10 @@
 
 import numpy as np
 
-from bumpless.records import LOG, SETTINGS
+from bumpless.contract.enums import INFEASIBLE, REFUSED, RUNNING, SOLVED
+from bumpless.control.settings import SETTINGS
 from bumpless.sim.events import QUIET_S, EventWriter, TwinEvent, completed_event, eventful, row_events
+from bumpless.sim.log import LOG
 from bumpless.sim.settings import fill_settings
 from bumpless.sim.twin import Result, one
 
@@ -11,7 +13,7 @@ from bumpless.sim.twin import Result, one
 def test_rows_passed_over_have_nothing_to_say(flight: Result) -> None:
     """Protects: what `row_events` learns to tell and `eventful` does not look for is lost in batches."""
     settings = one(SETTINGS)
-    fill_settings(settings, flight.vehicle, flight.parameters)
+    fill_settings(settings[0], flight.vehicle, flight.parameters)
     chosen = set(eventful(flight.log))
     told = set()
     for k in range(1, len(flight.log)):
@@ -22,15 +24,12 @@ def test_rows_passed_over_have_nothing_to_say(flight: Result) -> None:
     assert told and told <= chosen
 
 
-SOLVED, INFEASIBLE, REFUSED = 1, 3, 5
-
-
 def flickering(seconds: float = 21.0) -> np.ndarray:
     """A LOG whose allocator flips its status with every cycle of 50 ms, two bad ones in turn."""
     log = np.zeros(round(seconds / 0.05), LOG)
     log["cycle"] = np.arange(len(log)) + 1
     log["time"] = 0.05 * log["cycle"]
-    log["phase"] = 2
+    log["phase"] = RUNNING
     log["status"] = np.resize([SOLVED, REFUSED, SOLVED, INFEASIBLE], len(log))
     return log
 

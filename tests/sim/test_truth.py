@@ -6,19 +6,24 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from bumpless import records
+from bumpless.config.capacity import MAX_ACTUATORS
 from bumpless.config.mission import parse_mission
 from bumpless.config.parameters import default_parameters
+from bumpless.config.vehicle import load_vehicle
+from bumpless.contract.enums import HOVER, MODES, RUNNING
 from bumpless.control.allocation.qp import make_handle
-from bumpless.control.autopilot import autopilot_step, reset_autopilot
+from bumpless.control.autopilot import autopilot_cycle
+from bumpless.control.onboard import ONBOARD
+from bumpless.control.reset import reset_state
 from bumpless.physics.model import build_model
-from bumpless.physics.plant import new_work
-from bumpless.sim.settings import fill_settings, mode_controls, plan_of, sensors_of
-from bumpless.sim.truth import TOLD_OF_FAULTS, tell
+from bumpless.physics.sensors import MEASUREMENT, SENSORS
+from bumpless.sim.settings import fill_settings, plan_of, sensors_of
+from bumpless.sim.truth import tell
 from bumpless.sim.twin import Twin, one, simulate
 from bumpless_paper.study.plants import draw
 
-MOVED = (Path(__file__).parents[2] / "missions" / "docking_moved_target.yaml").read_text()
+MISSIONS = Path(__file__).parents[2] / "missions"
+MOVED = (MISSIONS / "docking_moved_target.yaml").read_text()
 HARD = MOVED + (
     "environment:\n"
     "  current_ned_mps: [-0.05, 0.03, 0]\n"
@@ -35,13 +40,13 @@ def flown(mission, vehicle, parameters):
     """A twin that has been started, its measurements and its commands, cycle by cycle."""
     twin = Twin(vehicle, parameters)
     twin.start(mission, seed=3, parameters=parameters, alter=draw(5))
-    heard, said = np.zeros(CYCLES, records.MEASUREMENT), np.zeros((CYCLES, records.MAX_ACTUATORS))
+    heard, said = np.zeros(CYCLES, MEASUREMENT), np.zeros((CYCLES, MAX_ACTUATORS))
     modes = set()
     for k in range(CYCLES):
         row = twin.step()
-        heard[k], said[k] = twin._m[0], row["u"]
+        heard[k], said[k] = twin.world["measurement"], row["u"]
         modes.add(int(row["mode"]))
-    assert modes == {0, 1, 2}
+    assert modes == set(MODES)
     return twin, heard, said
 
 
@@ -54,26 +59,55 @@ def test_commands_follow_from_measurements_and_plan_alone(ts100, fault_tolerant)
     parameters = replace(base, allocation=replace(base.allocation, fault_tolerant=fault_tolerant))
     twin, heard, said = flown(mission, ts100, parameters)
 
-    settings, modes = one(records.SETTINGS), mode_controls(parameters)
-    plan = plan_of(mission, ts100.control_period_s)
-    fill_settings(settings, ts100, parameters)
-    tell(twin._truth, plan)
+    onboard = one(ONBOARD)[0]
+    fill_settings(onboard["settings"], ts100, parameters)
+    onboard["plan"] = plan_of(mission, ts100.control_period_s)[0]
+    tell(twin.world["truth"], onboard["plan"])
     if not fault_tolerant:
-        for name in TOLD_OF_FAULTS:
-            plan[0][name] = np.nan if plan[name].dtype.kind == "f" else -1_000_000
-    sensors = sensors_of(ts100, mission)
+        spoil(onboard["plan"]["faults"])
+    sensors = sensors_of(ts100, mission)[0]
     known = ("dvl_period", "camera_period", "camera_position", "camera_pitch")
-    for name in set(records.SENSORS.names or ()) - set(known):
-        sensors[0][name] = np.nan
-    model = build_model(ts100)
-    model["smoothing"] = parameters.allocation.shaft_smoothing
-    a, w, work = one(records.AUTOPILOT), one(records.ALLOCATION_WORK), new_work()
+    for name in set(SENSORS.names or ()) - set(known):
+        sensors[name] = np.nan
+    onboard["sensors"], onboard["model"] = sensors, build_model(ts100)
+    onboard["model"]["smoothing"] = parameters.allocation.shaft_smoothing
     handle = make_handle(parameters.allocation.solver)
-    reset_autopilot(modes, plan[0], model, a[0])
+    reset_state(onboard["settings"], onboard["plan"], onboard["state"])
+    onboard["orders"]["phase"] = RUNNING
     for k in range(CYCLES):
-        autopilot_step(handle, settings[0], modes, sensors[0], plan[0], model, heard[k], a[0], w[0], 0, work)
-        assert np.array_equal(a[0]["u"], said[k]), k
+        autopilot_cycle(handle, onboard, heard[k])
+        assert np.array_equal(onboard["state"]["allocation"]["u"], said[k]), k
     assert np.isfinite(said).all()
+
+
+@pytest.mark.parametrize("name", ["docking_current", "s7_fault_estimated"])
+def test_what_is_no_state_has_no_memory(name):
+    """Protects: linearisation, reset and pause take `state` for all that a cycle leaves to the next: whatever
+    else is written over between cycles, paused ones too, the flight is the same."""
+    text = (MISSIONS / f"{name}.yaml").read_text()
+    mission = parse_mission(text, f"{name}.yaml")
+    plain, spoilt = (Twin(load_vehicle(mission.vehicle)) for _ in range(2))
+    plain.start(mission)
+    spoilt.start(mission)
+    for k in range(CYCLES):
+        if k in (300, 420):
+            for twin in (plain, spoilt):
+                twin.pause() if k == 300 else twin.resume()
+        spoil(spoilt.onboard["output"])
+        spoil(spoilt.onboard["scratch"])
+        row, other = plain.step(), spoilt.step()
+        row["solve_time"] = other["solve_time"] = 0.0
+        assert row.tobytes() == other.tobytes(), k
+    assert len(set(MODES) & {int(row["mode"]), int(row["previous_mode"])}) == 2
+
+
+def spoil(record):
+    """Overwrite every number of a nested record with one that would be noticed."""
+    for name in record.dtype.names:
+        if record.dtype[name].names:
+            spoil(record[name])
+        else:
+            record[name] = np.nan if record.dtype[name].base.kind == "f" else -1_000_000
 
 
 @pytest.mark.parametrize("offset", ["[1.0, 1.5, 0.2]", "[-1.0, 1.0, 0.1]", "[2.0, -2.0, -0.3]"])
@@ -87,7 +121,7 @@ def test_docks_at_a_target_off_its_planned_place(ts100, offset, seed):
     assert np.array_equal(log["target"][:first, :3], np.tile(planned, (first, 1)))
     assert log["target_true"][0] == pytest.approx(mission.target.true_position_ned_m)
     assert np.linalg.norm(log["target"][-1, :3] - log["target_true"][-1]) < 0.3
-    assert log["mode"][-1] == records.HOVER
+    assert log["mode"][-1] == HOVER
     assert log["range_true"][-200:].max() < 0.3
     assert np.abs(log["eta"][-200:, 2] - log["target_true"][-200:, 2]).max() < 0.1
 

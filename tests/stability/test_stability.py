@@ -6,9 +6,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from bumpless import records
 from bumpless.config.mission import Mission, parse_mission
 from bumpless.config.vehicle import load_vehicle
+from bumpless.contract.enums import FORWARD, HOVER
 from bumpless.physics.model import build_model
 from bumpless.sim.twin import parameters_for
 from bumpless.stability import Dwell, check_dwell, dwell_warning
@@ -62,19 +62,19 @@ def test_the_dwell_found_keeps_every_order_of_switches_stable() -> None:
 
 def test_the_operating_load_opposes_the_thrusters() -> None:
     """Protects: opposed thrusters of the ROV cancel in the plane; a torpedo's screw counts in hover only."""
-    rov = thruster_load(build_model(load_vehicle("bluerov2_heavy")), records.HOVER)
+    rov = thruster_load(build_model(load_vehicle("bluerov2_heavy")), HOVER)
     assert np.abs(rov[[0, 1, 3, 4, 5]]).max() < 1e-9
     assert rov[2] > 1.0
     torpedo = build_model(load_vehicle("ts100"))
-    assert thruster_load(torpedo, records.HOVER)[0] < -0.3
-    assert thruster_load(torpedo, records.FORWARD)[0] == 0.0
+    assert thruster_load(torpedo, HOVER)[0] < -0.3
+    assert thruster_load(torpedo, FORWARD)[0] == 0.0
 
 
 def test_the_linear_map_predicts_the_flight() -> None:
     """Protects: finite differences over one sensor period, raised to a power, give the flown response."""
     found = mission("docking_current")
     vehicle = load_vehicle(found.vehicle)
-    point = settle(found, vehicle, parameters_for(vehicle, found), records.FORWARD)
+    point = settle(found, vehicle, parameters_for(vehicle, found), FORWARD)
     where = coordinates(point)
     whole = difference(point, where, point.period)
     keep = with_memory([whole])
@@ -83,7 +83,7 @@ def test_the_linear_map_predicts_the_flight() -> None:
     saved, start, ends = point.save(), read(point, kept), []
     for sign in (1.0, -1.0):
         point.restore(saved)
-        point.twin._plant[0]["eta"][4] += sign * 1e-5
+        point.twin.world["plant"]["eta"][4] += sign * 1e-5
         push = sign * (read(point, kept) - start)
         for _ in range(20 * point.period):
             point.step()

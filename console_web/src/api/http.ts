@@ -1,13 +1,6 @@
 // Requests to the server. Refusals are values, not exceptions: the page shows them as they came.
 
-export interface Problem {
-  file: string;
-  line: number;
-  column: number;
-  field: string;
-  value: string;
-  rule: string;
-}
+import type { Problem } from "./types";
 
 export interface Refusal {
   ok: false;
@@ -22,7 +15,11 @@ export type Answer<T> = { ok: true; value: T } | Refusal;
 const TIMEOUT_MS = 15_000;
 
 function text(value: unknown): string {
-  return value === undefined || value === null ? "" : typeof value === "string" ? value : JSON.stringify(value);
+  return value === undefined || value === null
+    ? ""
+    : typeof value === "string"
+      ? value
+      : JSON.stringify(value);
 }
 
 function problemsOf(body: Record<string, unknown>): Problem[] {
@@ -46,16 +43,24 @@ function refusal(status: number, statusText: string, raw: string): Refusal {
     body = { detail: raw.slice(0, 300) };
   }
   const detail = body.detail;
-  if (detail && typeof detail === "object" && !Array.isArray(detail)) body = { ...body, ...(detail as object) };
+  if (detail && typeof detail === "object" && !Array.isArray(detail))
+    body = { ...body, ...(detail as object) };
   const sentence = [body.reason, body.detail, body.title].find((part) => typeof part === "string" && part);
   const problems = problemsOf(body);
-  const reason = text(sentence) || (problems.length ? `${problems.length} problem(s)` : `${status} ${statusText}`);
+  const reason =
+    text(sentence) || (problems.length ? `${problems.length} problem(s)` : `${status} ${statusText}`);
   return { ok: false, status, reason, problems };
 }
 
-export async function request<T>(method: string, path: string, body?: string | object): Promise<Answer<T>> {
+export async function request<T>(
+  method: string,
+  path: string,
+  body?: string | Blob | object,
+): Promise<Answer<T>> {
   const init: RequestInit = { method, signal: AbortSignal.timeout(TIMEOUT_MS), cache: "no-store" };
-  if (typeof body === "string") {
+  if (body instanceof Blob) {
+    init.body = body;
+  } else if (typeof body === "string") {
     init.body = body;
     init.headers = { "content-type": "text/plain; charset=utf-8" };
   } else if (body !== undefined) {

@@ -1,36 +1,51 @@
-// What the page asks the server for, and the events after which it asks again.
-import { Resource } from "../lib/resource";
+// What the page asks the server for, and the news after which it asks again.
+import { effect, untracked } from "@preact/signals";
 import { live } from "../stream/store";
-import type { MissionSummary, ParametersAnswer, RunSummary, VehicleInfo } from "./types";
+import { ask } from "./client";
+import { Resource } from "./resource";
 
-export const missions = new Resource<MissionSummary[]>("api/missions");
-export const runs = new Resource<RunSummary[]>("api/runs");
-export const presets = new Resource<unknown[]>("api/presets");
-export const vehicle = new Resource<VehicleInfo>("api/vehicle");
-export const parameterRanges = new Resource<ParametersAnswer>("api/parameters");
+export const missions = new Resource(() => ask("get", "/api/missions"));
+export const runs = new Resource(() => ask("get", "/api/runs"));
+export const presets = new Resource(() => ask("get", "/api/presets"));
+export const vehicle = new Resource(() => ask("get", "/api/vehicle"));
+export const parameterRanges = new Resource(() => ask("get", "/api/parameters"));
+
+/** Call `act` when `news` gives another value than before; not for the first. */
+function on<T>(news: () => T, act: () => void): void {
+  let before = untracked(news);
+  effect(() => {
+    const now = news();
+    if (now === before) return;
+    before = now;
+    untracked(act);
+  });
+}
 
 /** Fetch anew what a change on the stream has made old. */
 export function refreshOnNews(): void {
-  let session = "";
-  let recording = "";
-  let connection = live.connection;
-  live.onChange((changed) => {
-    if (connection !== live.connection) {
-      connection = live.connection;
+  on(
+    () => live.connection.value,
+    () => {
       void missions.refresh();
       void runs.refresh();
       void presets.refresh();
-    }
-    const description = changed.has("tlm/description") && live.latest("tlm/description");
-    if (description && description.sessionId + description.sha256 !== session) {
-      session = description.sessionId + description.sha256;
+    },
+  );
+  on(
+    () => {
+      const description = live.latest("tlm/description");
+      return description && description.sessionId + description.sha256;
+    },
+    () => {
       void vehicle.refresh();
       void parameterRanges.refresh();
-    }
-    const status = changed.has("server/status") && live.latest("server/status");
-    if (status && `${status.recording}${status.recordingRunId}` !== recording) {
-      recording = `${status.recording}${status.recordingRunId}`;
-      void runs.refresh();
-    }
-  });
+    },
+  );
+  on(
+    () => {
+      const status = live.latest("server/status");
+      return status && `${status.recording}${status.recordingRunId}`;
+    },
+    () => void runs.refresh(),
+  );
 }

@@ -1,64 +1,13 @@
-// JSON that the server answers with. Names and units as in the HTTP contract.
-import type { Problem } from "./http";
+// What the server answers with, by the names of its own models. Made from its interface by `make gen`.
+import type { components } from "../gen/api";
 
-export interface VehicleInfo {
-  id: string;
-  name: string;
-  controllable?: string[];
-  control_period_s?: number;
-  actuators?: { name: string; kind: string; unit: string; min?: number; max?: number }[];
-}
-
-export interface MissionSummary {
-  name: string;
-  title?: string;
-  summary?: string;
-  duration_s?: number | null;
-  sha256?: string;
-  builtin?: boolean;
-  /** False: the stored file breaks a rule and cannot be started. */
-  valid?: boolean;
-  problems?: Problem[];
-  modified?: string | number;
-}
-
-export interface MissionDetail extends MissionSummary {
-  yaml: string;
-  /** Waypoints, the start first; [north, east, down] in m. */
-  path_ned_m?: number[][];
-  target?: { position_ned_m: number[]; heading_deg: number; observation_point_ned_m: number[] };
-  current_ned_mps?: number[];
-}
-
-export interface CommandReply {
-  accepted: boolean;
-  reason: string;
-  run_id?: string;
-  revision?: number | string;
-}
-
-export interface Range {
-  path: string;
-  unit: string;
-  min: number;
-  max: number;
-  label?: string;
-}
-
-export interface ParametersAnswer {
-  active: unknown;
-  defaults: unknown;
-  revision: number;
-  ranges: Range[];
-}
-
-export interface RunSummary {
-  id: string;
-  mission: string;
-  started: string | number;
-  duration_s?: number | null;
-  bytes: number;
-  state: "recording" | "complete" | "interrupted";
-  end_reason?: string;
-  metrics?: unknown;
-}
+type Schemas = components["schemas"];
+export type CommandReply = Schemas["CommandReply"];
+export type Metrics = Schemas["Metrics"];
+export type MissionDetail = Schemas["MissionDetail"];
+export type MissionSummary = Schemas["MissionSummary"];
+export type ModeMetrics = Schemas["ModeMetrics"];
+export type Preset = Schemas["Preset"];
+export type Problem = Schemas["Problem"];
+export type Range = Schemas["Range"];
+export type RunSummary = Schemas["RunAnswer"];

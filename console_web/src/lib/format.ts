@@ -11,7 +11,7 @@ export function fixed(value: number | null | undefined, decimals: number): strin
 /** With an explicit sign. */
 export function signed(value: number | null | undefined, decimals: number): string {
   const shown = fixed(value, decimals);
-  return value && value > 0 && Number(shown) !== 0 ? `+${shown}` : shown;
+  return value && value > 0 && Number(shown) > 0 ? `+${shown}` : shown;
 }
 
 /** A heading from 0 up to, but never showing, 360. */
@@ -26,7 +26,8 @@ export function compact(value: number | null | undefined, digits = 3): string {
   if (value === null || value === undefined || !Number.isFinite(value)) return NONE;
   if (value === 0) return "0";
   const size = Math.abs(value);
-  const shown = size >= 1e-3 && size < 1e5 ? Number(value.toPrecision(digits)).toString() : value.toExponential(1);
+  const shown =
+    size >= 1e-3 && size < 1e5 ? Number(value.toPrecision(digits)).toString() : value.toExponential(1);
   return shown.replace(/-/g, "\u2212");
 }
 

@@ -1,22 +1,27 @@
-// The three flight modes: letter, name, colour. The same on every screen and plot.
+// The flight modes as the server's table names, letters and colours them.
 import { Mode } from "../gen/bumpless_pb";
+import { MODES } from "../gen/house";
 
 export interface ModeLook {
   letter: string;
   name: string;
-  colour: string;
   key: "forward" | "reverse" | "hover" | "none";
 }
 
-const NO_MODE: ModeLook = { letter: "–", name: "No mode", colour: "#64748b", key: "none" };
-const LOOKS: Partial<Record<Mode, ModeLook>> = {
-  [Mode.FORWARD]: { letter: "F", name: "Forward", colour: "#3b82f6", key: "forward" },
-  [Mode.REVERSE]: { letter: "R", name: "Reverse", colour: "#f59e0b", key: "reverse" },
-  [Mode.HOVER]: { letter: "H", name: "Hover", colour: "#10b981", key: "hover" },
+export const FLIGHT_MODES: readonly (ModeLook & { colour: string })[] = MODES;
+const NO_MODE: ModeLook & { colour: string } = {
+  letter: "–",
+  name: "No mode",
+  key: "none",
+  colour: "transparent",
 };
+const BY_NAME = new Map<string, (typeof MODES)[number]>(MODES.map((look) => [look.mode, look]));
 
-export function modeLook(mode: Mode | undefined): ModeLook {
-  return (mode !== undefined && LOOKS[mode]) || NO_MODE;
+/** A mode as JSON names it, "MODE_HOVER". */
+export function modeNamed(name: string): ModeLook & { colour: string } {
+  return BY_NAME.get(name) ?? NO_MODE;
 }
 
-export const FLIGHT_MODES = [Mode.FORWARD, Mode.REVERSE, Mode.HOVER].map((mode) => modeLook(mode));
+export function modeLook(mode: Mode | undefined): ModeLook & { colour: string } {
+  return mode === undefined ? NO_MODE : modeNamed(`MODE_${Mode[mode]}`);
+}

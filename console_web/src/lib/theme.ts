@@ -1,33 +1,46 @@
-// Dark or light: the system's choice until the operator makes one.
-import { invalidate } from "../stream/frame";
+// Dark or light: the system's choice until the operator makes one. Colours and type for canvases.
+import { signal } from "@preact/signals";
 
 export type Theme = "dark" | "light";
 const KEY = "bumpless.theme";
-let colours: Record<string, string> = {};
+const root = document.documentElement;
 
-export function theme(): Theme {
-  return document.documentElement.dataset.theme === "light" ? "light" : "dark";
-}
+export const theme = signal<Theme>(root.dataset.theme === "light" ? "light" : "dark");
+/** Size of the page's type, px: grows with the screen and with the browser's own setting. */
+export const typeSize = signal(rootSize());
+let tokens: Record<string, string> = {};
 
 export function setTheme(next: Theme): void {
-  document.documentElement.dataset.theme = next;
-  colours = {};
+  root.dataset.theme = next;
+  tokens = {};
   try {
     localStorage.setItem(KEY, next);
   } catch {
     // Without storage the choice lasts as long as the page.
   }
-  for (const listener of listeners) listener();
-  invalidate();
+  theme.value = next;
 }
 
-const listeners = new Set<() => void>();
-export function onTheme(listener: () => void): () => void {
-  listeners.add(listener);
-  return () => listeners.delete(listener);
+function rootSize(): number {
+  return Number.parseFloat(getComputedStyle(root).fontSize);
 }
 
-/** A colour token of the style sheet, for canvases; read once per theme. */
-export function colour(token: string): string {
-  return (colours[token] ??= getComputedStyle(document.documentElement).getPropertyValue(token).trim());
+addEventListener("resize", () => {
+  typeSize.value = rootSize();
+});
+
+/** A token of the style sheets; read once per theme. */
+function token(name: string): string {
+  tokens[name] ??= getComputedStyle(root).getPropertyValue(name).trim();
+  return tokens[name];
+}
+
+/** A colour of the style sheets, for canvases. */
+export function colour(name: string): string {
+  return token(name);
+}
+
+/** A font of the style sheets' type scale, for canvases. */
+export function font(size: string, weight = 400, scale = 1): string {
+  return `${weight} ${Number.parseFloat(token(size)) * typeSize.peek() * scale}px ${token("--font")}`;
 }

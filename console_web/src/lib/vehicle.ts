@@ -1,7 +1,7 @@
 // What the console knows of the vehicle's build, from the server or from the telemetry itself.
 import { vehicle } from "../api/resources";
 import { live } from "../stream/store";
-import { WRENCH_AXES, type WrenchAxis } from "../stream/history";
+import { WRENCH_AXES, type WrenchAxis } from "./wrench";
 
 const WITHOUT_SWAY: readonly WrenchAxis[] = WRENCH_AXES.filter((axis) => axis !== "Y");
 
@@ -18,8 +18,4 @@ export function actuatorNames(): string[] {
     live.latest("tlm/actuators")?.actuators.map((actuator) => actuator.name) ??
     []
   );
-}
-
-export function axisUnit(axis: WrenchAxis): string {
-  return axis === "X" || axis === "Y" || axis === "Z" ? "N" : "N·m";
 }

@@ -2,29 +2,46 @@
 import { MissionPhase, SolveStatus } from "../gen/bumpless_pb";
 import { compact, fixed } from "../lib/format";
 import { colour } from "../lib/theme";
-import { history } from "../stream/log";
-import { useFrame } from "../stream/frame";
+import { history } from "../stream/history";
+import { phase } from "../stream/link";
 import { live } from "../stream/store";
+import { Canvas } from "../ui/canvas";
 import { AlarmIcon, CheckIcon, HollowIcon, WarningIcon } from "../ui/icons";
 import { Empty, Panel } from "../ui/panel";
-import { Canvas } from "./canvas";
-import { phaseNow } from "./link_state";
-import { firstIndex, shown } from "./time_axis";
+import { shown } from "./time_axis";
+import "./allocation_panel.css";
 
 const STATUS: Record<SolveStatus, { name: string; look: string; about: string; Icon: typeof CheckIcon }> = {
   [SolveStatus.UNSPECIFIED]: { name: "Unknown", look: "off", about: "No status", Icon: WarningIcon },
-  [SolveStatus.SOLVED]: { name: "Solved", look: "live", about: "KKT residual within tolerance", Icon: CheckIcon },
+  [SolveStatus.SOLVED]: {
+    name: "Solved",
+    look: "live",
+    about: "KKT residual within tolerance",
+    Icon: CheckIcon,
+  },
   [SolveStatus.BUDGET_SPENT]: {
-    name: "Budget spent", look: "stale", about: "Feasible; iterations used up before the tolerance", Icon: WarningIcon,
+    name: "Budget spent",
+    look: "stale",
+    about: "Feasible; iterations used up before the tolerance",
+    Icon: WarningIcon,
   },
   [SolveStatus.INFEASIBLE]: {
-    name: "Infeasible", look: "lost", about: "Bounds contradict; nearest admissible command held", Icon: AlarmIcon,
+    name: "Infeasible",
+    look: "lost",
+    about: "Bounds contradict; nearest admissible command held",
+    Icon: AlarmIcon,
   },
   [SolveStatus.FALLBACK]: {
-    name: "Fallback", look: "stale", about: "The QP solver failed; the built-in active set answered", Icon: WarningIcon,
+    name: "Fallback",
+    look: "stale",
+    about: "The QP solver failed; the built-in active set answered",
+    Icon: WarningIcon,
   },
   [SolveStatus.REFUSED]: {
-    name: "Refused", look: "lost", about: "Demand not finite; last command held", Icon: AlarmIcon,
+    name: "Refused",
+    look: "lost",
+    about: "Demand not finite; last command held",
+    Icon: AlarmIcon,
   },
 };
 
@@ -37,27 +54,55 @@ export function AllocationPanel() {
 }
 
 function Status() {
-  useFrame();
   const allocation = live.latest("tlm/allocation");
   if (!allocation) return null;
-  if (phaseNow() === MissionPhase.IDLE) {
-    return <span class="chip" data-look="off" title="Nothing is allocated before a mission"><HollowIcon size={11} /> Idle</span>;
+  if (phase.value === MissionPhase.IDLE) {
+    return (
+      <span class="chip" data-look="off" title="Nothing is allocated before a mission">
+        <HollowIcon size={11} /> Idle
+      </span>
+    );
   }
   const { name, look, about, Icon } = STATUS[allocation.status];
   const state = live.isFresh("tlm/allocation") ? "fresh" : "stale";
-  return <span class="chip" data-look={look} data-state={state} title={about}><Icon /> {name}</span>;
+  return (
+    <span class="chip" data-look={look} data-state={state} title={about}>
+      <Icon /> {name}
+    </span>
+  );
 }
 
 function Figures() {
-  useFrame();
   const a = live.latest("tlm/allocation");
   if (!a) return <Empty>The allocator reports with the first telemetry.</Empty>;
   return (
     <div class="figures">
-      <Figure name="KKT residual" value={compact(a.kktResidual, 2)} column="" about="Projected gradient, bound-normalised" />
-      <Figure name="Residual norm" value={compact(a.residualNorm)} column="residual" about="||tau_d − tau_c|| weighted by Q" />
-      <Figure name="Solve time" value={fixed(a.solveTimeUs, 0)} unit="µs" column="solve_time" about="Allocator's run time in this cycle" />
-      <Figure name="SQP" value={String(a.sqpIterations)} unit={`it. ${a.solver}`} column="" about={`Cost ${compact(a.cost)}; ${a.saturatedCount} at a bound; slack ${compact(a.slackNorm)}`} />
+      <Figure
+        name="KKT residual"
+        value={compact(a.kktResidual, 2)}
+        column=""
+        about="Projected gradient, bound-normalised"
+      />
+      <Figure
+        name="Residual norm"
+        value={compact(a.residualNorm)}
+        column="residual"
+        about="||tau_d − tau_c|| weighted by Q"
+      />
+      <Figure
+        name="Solve time"
+        value={fixed(a.solveTimeUs, 0)}
+        unit="µs"
+        column="solve_time"
+        about="Allocator's run time in this cycle"
+      />
+      <Figure
+        name="SQP"
+        value={String(a.sqpIterations)}
+        unit={`it. ${a.solver}`}
+        column=""
+        about={`Cost ${compact(a.cost)}; ${a.saturatedCount} at a bound; slack ${compact(a.slackNorm)}`}
+      />
     </div>
   );
 }
@@ -74,26 +119,31 @@ function Figure({ name, value, unit, column, about }: FigureProps) {
   return (
     <div class="figure" title={about}>
       <span class="muted">{name}</span>
-      <span><b class="num">{value}</b>{unit && <span class="unit"> {unit}</span>}</span>
-      {column && <Canvas class="spark" name={`${name} over time`} paint={(g, w, h) => spark(g, w, h, column)} />}
+      <span>
+        <b class="num">{value}</b>
+        {unit && <span class="unit"> {unit}</span>}
+      </span>
+      {column && (
+        <Canvas class="spark" name={`${name} over time`} paint={(g, w, h) => spark(g, w, h, column)} />
+      )}
     </div>
   );
 }
 
 function spark(g: CanvasRenderingContext2D, width: number, height: number, name: string): void {
-  const column = history.columns[name];
+  const column = history.column(name);
   const [from, to] = shown();
   if (!column || !Number.isFinite(to)) return;
-  const first = firstIndex(from);
+  const first = history.firstIndex(from);
   let top = 0;
-  for (let i = first; i < column.length; i++) top = Math.max(top, column[i] ?? 0);
+  for (let i = first; i < history.length; i++) top = Math.max(top, column[i] || 0);
   if (top <= 0) return;
   g.strokeStyle = colour("--trace");
   g.lineWidth = 1;
   g.beginPath();
-  for (let i = first; i < column.length; i++) {
-    const value = column[i];
-    if (value == null) continue;
+  for (let i = first; i < history.length; i++) {
+    const value = column[i] as number;
+    if (Number.isNaN(value)) continue;
     const x = (((history.time[i] as number) - from) / (to - from)) * width;
     g.lineTo(x, height - 1 - (value / top) * (height - 2));
   }

@@ -1,11 +1,12 @@
 // What happened, newest first; severity by shape and colour.
-import { useState } from "preact/hooks";
-import { Severity, type Event } from "../gen/bumpless_pb";
+import { useSignal } from "@preact/signals";
+import { type Event, Severity } from "../gen/bumpless_pb";
 import { clock } from "../lib/format";
-import { useFrame } from "../stream/frame";
 import { live } from "../stream/store";
 import { AlarmIcon, InfoIcon, WarningIcon } from "../ui/icons";
 import { Empty, Panel } from "../ui/panel";
+import { Segments } from "../ui/segments";
+import "./event_panel.css";
 
 const LOOKS: Record<Severity, { look: string; name: string; Icon: typeof InfoIcon }> = {
   [Severity.UNSPECIFIED]: { look: "info", name: "Note", Icon: InfoIcon },
@@ -14,43 +15,51 @@ const LOOKS: Record<Severity, { look: string; name: string; Icon: typeof InfoIco
   [Severity.ALARM]: { look: "alarm", name: "Alarm", Icon: AlarmIcon },
 };
 const FILTERS = [
-  { name: "All", least: Severity.UNSPECIFIED },
-  { name: "Warnings", least: Severity.WARNING },
-  { name: "Alarms", least: Severity.ALARM },
+  { name: "All", value: Severity.UNSPECIFIED },
+  { name: "Warnings", value: Severity.WARNING },
+  { name: "Alarms", value: Severity.ALARM },
 ];
 const SHOWN = 120;
 
 export function EventPanel() {
-  const [least, setLeast] = useState<Severity>(Severity.UNSPECIFIED);
+  const least = useSignal<Severity>(Severity.UNSPECIFIED);
   return (
     <Panel
       title="Events"
       class="event-panel"
       aside={
-        <div class="segments" role="group" aria-label="Least severity">
-          {FILTERS.map((filter) => (
-            <button key={filter.name} type="button" aria-pressed={least === filter.least} onClick={() => setLeast(filter.least)}>
-              {filter.name}
-            </button>
-          ))}
-        </div>
+        <Segments
+          name="Least severity"
+          choices={FILTERS}
+          chosen={least.value}
+          onChoose={(next) => {
+            least.value = next;
+          }}
+        />
       }
     >
-      <List least={least} />
+      <List least={least.value} />
     </Panel>
   );
 }
 
 function List({ least }: { least: Severity }) {
-  useFrame();
   const events = live.events.filter((event) => event.severity >= least).slice(0, SHOWN);
   if (!events.length) {
-    return <Empty>{live.events.length ? "Nothing of this severity." : "Mode switches, warnings and commands are noted here."}</Empty>;
+    return (
+      <Empty>
+        {live.events.length
+          ? "Nothing of this severity."
+          : "Mode switches, warnings and commands are noted here."}
+      </Empty>
+    );
   }
   return (
     <div class="events" role="log" aria-label="Event log, newest first" tabIndex={0}>
       <ol>
-        {events.map((event) => <Row key={`${event.stamp?.timeNs}${event.code}${event.text}`} event={event} />)}
+        {events.map((event) => (
+          <Row key={`${event.stamp?.timeNs}${event.code}${event.text}`} event={event} />
+        ))}
       </ol>
     </div>
   );
@@ -61,7 +70,10 @@ function Row({ event }: { event: Event }) {
   const details = Object.entries(event.details).map(([key, value]) => `${key}: ${value}`);
   return (
     <li class="event" data-look={look} title={[event.code, ...details].join("\n")}>
-      <span class="event-icon"><Icon /><span class="sr">{name}</span></span>
+      <span class="event-icon">
+        <Icon />
+        <span class="sr">{name}</span>
+      </span>
       <time class="num">{when(event)}</time>
       <span class="event-text">{event.text}</span>
     </li>

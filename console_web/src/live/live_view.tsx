@@ -1,8 +1,10 @@
 // The live view: scene and mode at the left, plots in the middle, forces and actuators at the right.
-// Only the scene stays in the page while another view is shown: it is slow to load.
+// Only the scene stays in the page while another view is shown.
+import { Main } from "../ui/main";
 import { ActuatorPanel } from "./actuator_panel";
 import { AllocationPanel } from "./allocation_panel";
 import { EventPanel } from "./event_panel";
+import "./live_view.css";
 import { ModePanel } from "./mode_panel";
 import { PlotPanel } from "./plot_panel";
 import { Scene } from "./scene";
@@ -11,7 +13,7 @@ import { WrenchPanel } from "./wrench_panel";
 
 export function LiveView({ hidden }: { hidden: boolean }) {
   return (
-    <main class="live" hidden={hidden} aria-label="Live view">
+    <Main name="Live view" class="live" hidden={hidden}>
       <div class="live-left">
         <Scene />
         {!hidden && <ModePanel />}
@@ -30,6 +32,6 @@ export function LiveView({ hidden }: { hidden: boolean }) {
           </div>
         </>
       )}
-    </main>
+    </Main>
   );
 }

@@ -1,14 +1,15 @@
 // Which mode, why, and what it waits for: the supervisor's state in one panel.
 import { fixed } from "../lib/format";
 import { modeLook } from "../lib/modes";
-import { useFrame } from "../stream/frame";
+import { flying as flyingNow, PHASES, phase } from "../stream/link";
 import { live } from "../stream/store";
-import { Empty, Panel } from "../ui/panel";
 import { HollowIcon, RecordIcon } from "../ui/icons";
-import { isFlying, PHASES, phaseNow } from "./link_state";
+import { ModeBadge } from "../ui/mode_mark";
+import { Empty, Panel } from "../ui/panel";
 import { ModeStrip } from "./mode_strip";
 import { RangeGauge } from "./range_gauge";
-import { WindowChoice } from "./window_choice";
+import { WINDOWS_S, window_s } from "./time_axis";
+import "./mode_panel.css";
 
 export function ModePanel() {
   return (
@@ -18,34 +19,62 @@ export function ModePanel() {
   );
 }
 
+function WindowChoice() {
+  return (
+    <select
+      class="small"
+      aria-label="Time window of plots and mode strip"
+      value={window_s.value}
+      onChange={(event) => {
+        window_s.value = Number(event.currentTarget.value);
+      }}
+    >
+      {WINDOWS_S.map((seconds) => (
+        <option key={seconds} value={seconds}>
+          {seconds < 120 ? `${seconds} s` : `${seconds / 60} min`}
+        </option>
+      ))}
+    </select>
+  );
+}
+
 function Content() {
-  useFrame();
   const supervisor = live.latest("tlm/supervisor");
-  if (!supervisor) return <Empty>The supervisor's mode, range and detection appear with the first telemetry.</Empty>;
-  const phase = phaseNow();
-  const flying = isFlying(phase);
+  if (!supervisor)
+    return <Empty>The supervisor's mode, range and detection appear with the first telemetry.</Empty>;
+  const flying = flyingNow.value;
   const mode = modeLook(flying ? supervisor.mode : undefined);
   const before = modeLook(supervisor.previousMode);
   const settled = supervisor.kappa >= 1;
   return (
     <>
       <div class="mode-line">
-        <span class="mode-badge" data-mode={mode.key} role="status" aria-label={`Mode ${mode.name}`}>
-          {mode.letter}
-        </span>
+        <ModeBadge mode={mode} />
         <div class="mode-name">
           <strong>{mode.name}</strong>
           <span class="muted num">
-            {flying ? `${fixed(supervisor.timeInModeS, 1)} s` : `mission ${PHASES[phase].toLowerCase()}`}
+            {flying
+              ? `${fixed(supervisor.timeInModeS, 1)} s`
+              : `mission ${PHASES[phase.value].toLowerCase()}`}
             {flying && (settled || before.letter === mode.letter ? " in mode" : ` · from ${before.letter}`)}
           </span>
         </div>
-        <Ramp label="κ" unit="" value={flying ? supervisor.kappa : NaN} share={flying ? supervisor.kappa : 0} decimals={2}
-          about="Transition factor: 1 when the blend into this mode is over" />
+        <Ramp
+          label="κ"
+          unit=""
+          value={flying ? supervisor.kappa : NaN}
+          share={flying ? supervisor.kappa : 0}
+          decimals={2}
+          about="Transition factor: 1 when the blend into this mode is over"
+        />
         <Dwell remaining={flying ? supervisor.dwellRemainingS : NaN} inMode={supervisor.timeInModeS} />
-        <div class="lamps" aria-label="Detection of the target">
+        <div class="lamps" role="group" aria-label="Detection of the target">
           <Lamp name="Raw" on={supervisor.detectionRaw} about="Target seen in this cycle" />
-          <Lamp name="Filtered" on={supervisor.detection} about="After the M-of-N filter and hold: what the supervisor uses" />
+          <Lamp
+            name="Filtered"
+            on={supervisor.detection}
+            about="After the M-of-N filter and hold: what the supervisor uses"
+          />
         </div>
       </div>
       <RangeGauge supervisor={supervisor} />
@@ -67,8 +96,13 @@ function Ramp({ label, unit, value, share, decimals, about }: RampProps) {
   const width = `${(100 * Math.min(1, Math.max(0, share))).toFixed(1)}%`;
   return (
     <div class="ramp" title={about}>
-      <span class="ramp-text"><span class="muted">{label}</span> <b class="num">{fixed(value, decimals)}</b>{unit && ` ${unit}`}</span>
-      <span class="meter"><i style={{ width }} /></span>
+      <span class="ramp-text">
+        <span class="muted">{label}</span> <b class="num">{fixed(value, decimals)}</b>
+        {unit && ` ${unit}`}
+      </span>
+      <span class="meter">
+        <i style={{ width }} />
+      </span>
     </div>
   );
 }
@@ -76,8 +110,14 @@ function Ramp({ label, unit, value, share, decimals, about }: RampProps) {
 function Dwell({ remaining, inMode }: { remaining: number; inMode: number }) {
   const whole = remaining + inMode;
   return (
-    <Ramp label="dwell" unit="s" value={remaining} share={remaining > 0 ? remaining / whole : 0} decimals={1}
-      about="Time until a switch is allowed; 0: allowed now" />
+    <Ramp
+      label="dwell"
+      unit="s"
+      value={remaining}
+      share={remaining > 0 ? remaining / whole : 0}
+      decimals={1}
+      about="Time until a switch is allowed; 0: allowed now"
+    />
   );
 }
 

@@ -1,35 +1,35 @@
 // The plots: one group at a time, all on the same time window and cursor.
-import { useState } from "preact/hooks";
-import { useFrame } from "../stream/frame";
+import { useSignal } from "@preact/signals";
+import "uplot/dist/uPlot.min.css";
 import { live } from "../stream/store";
 import { Empty, Panel } from "../ui/panel";
+import { Segments } from "../ui/segments";
 import { Plot } from "./plot";
-import { GROUPS, specsOf, type Group } from "./plots";
+import { GROUPS, type Group, specsOf } from "./plots";
+import "./plot_panel.css";
+
+const CHOICES = GROUPS.map((name) => ({ value: name, name }));
 
 export function PlotPanel() {
-  const [group, setGroup] = useState<Group>("Motion");
+  const group = useSignal<Group>("Motion");
+  const choice = (
+    <Segments
+      name="Plot group"
+      choices={CHOICES}
+      chosen={group.value}
+      onChoose={(next) => {
+        group.value = next;
+      }}
+    />
+  );
   return (
-    <Panel
-      title="Plots"
-      topic="tlm/navigation"
-      class="plot-panel"
-      aside={
-        <div class="segments" role="group" aria-label="Plot group">
-          {GROUPS.map((name) => (
-            <button key={name} type="button" aria-pressed={group === name} onClick={() => setGroup(name)}>
-              {name}
-            </button>
-          ))}
-        </div>
-      }
-    >
-      <Plots group={group} />
+    <Panel title="Plots" topic="tlm/navigation" class="plot-panel" aside={choice}>
+      <Plots group={group.value} />
     </Panel>
   );
 }
 
 function Plots({ group }: { group: Group }) {
-  useFrame();
   if (!live.latest("tlm/navigation")) return <Empty>Plots begin with the first telemetry.</Empty>;
   const specs = specsOf(group);
   return (

@@ -1,5 +1,6 @@
 // What is plotted: groups of small plots, each a measured line and its reference.
-import { axisUnit, controllableAxes } from "../lib/vehicle";
+import { controllableAxes } from "../lib/vehicle";
+import { axisUnit } from "../lib/wrench";
 import { live } from "../stream/store";
 
 export interface Trace {

@@ -2,6 +2,7 @@
 import type { Supervisor } from "../gen/bumpless_pb";
 import { fixed } from "../lib/format";
 import { live } from "../stream/store";
+import "./range_gauge.css";
 
 interface Threshold {
   value: number;
@@ -34,9 +35,17 @@ export function RangeGauge({ supervisor }: { supervisor: Supervisor }) {
       <div class="range-axis">
         <span class="range-line" />
         {marks.map(({ value, text, about, row }) => (
-          <span key={text} class="threshold" data-row={row} style={{ left: at(value) }} title={`${about} ${fixed(value, 2)} m`}>
+          <span
+            key={text}
+            class="threshold"
+            data-row={row}
+            style={{ left: at(value) }}
+            title={`${about} ${fixed(value, 2)} m`}
+          >
             <i />
-            <span class="threshold-text">{text} <span class="num">{fixed(value, 1)}</span></span>
+            <span class="threshold-text">
+              {text} <span class="num">{fixed(value, 1)}</span>
+            </span>
           </span>
         ))}
         {Number.isFinite(range) && (

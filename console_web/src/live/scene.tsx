@@ -1,26 +1,29 @@
-// The 3-D scene: the server's page in a frame, with the camera presets above it.
-import { useEffect, useState } from "preact/hooks";
-import { request, type Refusal } from "../api/http";
-import { onTheme, theme } from "../lib/theme";
-import { useFrame } from "../stream/frame";
+// The 3-D scene: the server's page in a frame, with the camera presets above it. The frame stays while
+// another view is shown, for it is slow to load; its page draws nothing while it cannot be seen.
+import { useSignal } from "@preact/signals";
+import { ask } from "../api/client";
+import type { Refusal } from "../api/http";
+import { theme } from "../lib/theme";
+import { link } from "../stream/link";
 import { live } from "../stream/store";
-import { linkNow } from "./link_state";
+import { Segments } from "../ui/segments";
+import "./scene.css";
 
 const CAMERAS = [
-  { view: "follow", name: "Follow", about: "Behind the vehicle" },
-  { view: "overview", name: "Overview", about: "Whole path and target" },
-  { view: "top", name: "Top", about: "From above, north up" },
-  { view: "target", name: "Target", about: "From the docking target" },
+  { value: "follow", name: "Follow", about: "Behind the vehicle" },
+  { value: "overview", name: "Overview", about: "Whole path and target" },
+  { value: "top", name: "Top", about: "From above, north up" },
+  { value: "target", name: "Target", about: "From the docking target" },
 ] as const;
-type Camera = (typeof CAMERAS)[number]["view"];
+type Camera = (typeof CAMERAS)[number]["value"];
 
 export function Scene() {
-  const [camera, setCamera] = useState<Camera>("follow");
-  const [refused, setRefused] = useState<Refusal>();
+  const camera = useSignal<Camera>("follow");
+  const refused = useSignal<Refusal | undefined>(undefined);
   const choose = async (view: Camera): Promise<void> => {
-    const answer = await request("POST", "api/scene/camera", { view });
-    setRefused(answer.ok ? undefined : answer);
-    if (answer.ok) setCamera(view);
+    const answer = await ask("post", "/api/scene/camera", { body: { view } });
+    refused.value = answer.ok ? undefined : answer;
+    if (answer.ok) camera.value = view;
   };
   return (
     <section class="panel scene" aria-label="3-D scene">
@@ -28,32 +31,34 @@ export function Scene() {
         <h2>Scene</h2>
         <span class="unit">NED</span>
         <span class="grow" />
-        <div class="segments" role="group" aria-label="Camera">
-          {CAMERAS.map(({ view, name, about }) => (
-            <button key={view} type="button" aria-pressed={camera === view} title={about} onClick={() => void choose(view)}>
-              {name}
-            </button>
-          ))}
-        </div>
+        <Segments
+          name="Camera"
+          choices={CAMERAS}
+          chosen={camera.value}
+          onChoose={(view) => void choose(view)}
+        />
       </header>
       <SceneFrame />
-      {refused && <p class="scene-note" role="alert">Camera not changed: {refused.reason}</p>}
+      {refused.value && (
+        <p class="scene-note" role="alert">
+          Camera not changed: {refused.value.reason}
+        </p>
+      )}
     </section>
   );
 }
 
 function SceneFrame() {
-  useFrame();
-  const [shade, setShade] = useState(theme());
-  useEffect(() => onTheme(() => setShade(theme())), []);
-  const look = linkNow().look;
-  const seen = live.connection === "open" || live.lastFrame > 0;
+  const { look } = link.value;
+  const seen = live.connection.value === "open" || live.lastFrame > 0;
   return (
     <div class="scene-frame" data-state={look === "live" || look === "waiting" ? "fresh" : "stale"}>
-      {seen && <iframe src={`scene/?theme=${shade}`} title="3-D scene of vehicle, path and target" />}
+      {seen && <iframe src={`scene/?theme=${theme.value}`} title="3-D scene of vehicle, path and target" />}
       {look !== "live" && (
         <p class="scene-veil">
-          {look === "waiting" ? "Waiting for the vehicle. Its first start compiles, which takes minutes." : "Not live"}
+          {look === "waiting"
+            ? "Waiting for the vehicle. Its first start compiles, which takes minutes."
+            : "Not live"}
         </p>
       )}
     </div>

@@ -1,8 +1,8 @@
 // Where the vehicle is and how it follows its path, in numbers.
 import type { Guidance } from "../gen/bumpless_pb";
 import { fixed, headingOf, signed } from "../lib/format";
-import { useFrame } from "../stream/frame";
 import { live } from "../stream/store";
+import { Cells } from "../ui/cells";
 import { Empty, Panel } from "../ui/panel";
 
 export function StatePanel() {
@@ -14,7 +14,6 @@ export function StatePanel() {
 }
 
 function Figures() {
-  useFrame();
   const nav = live.latest("tlm/navigation");
   const guidance = live.latest("tlm/guidance");
   if (!nav) return <Empty>The vehicle's estimate appears with the first telemetry.</Empty>;
@@ -31,16 +30,7 @@ function Figures() {
     ["Cross-track", signed(guidance?.crossTrackErrorM, 2), "m"],
     ["Leg", legText(guidance), ""],
   ];
-  return (
-    <dl class="cells">
-      {cells.map(([name, value, unit]) => (
-        <div key={name}>
-          <dt>{name}</dt>
-          <dd><b class="num">{value}</b>{unit && <span class="unit"> {unit}</span>}</dd>
-        </div>
-      ))}
-    </dl>
-  );
+  return <Cells cells={cells.map(([name, value, unit]) => ({ name, value, unit }))} />;
 }
 
 /** "2/3"; after a missed approach the vehicle is on its way back, which is no leg of the mission. */

@@ -1,10 +1,10 @@
 // Demanded against achieved generalised force, component by component, on bars from zero.
 import { signed } from "../lib/format";
-import { axisUnit, controllableAxes } from "../lib/vehicle";
-import { useFrame } from "../stream/frame";
-import { wrenchOf, type WrenchAxis } from "../stream/history";
+import { controllableAxes } from "../lib/vehicle";
+import { axisUnit, type WrenchAxis, wrenchOf } from "../lib/wrench";
 import { live } from "../stream/store";
 import { Empty, Panel } from "../ui/panel";
+import "./wrench_panel.css";
 
 /** Full scale of each bar: grows with what has been seen, in steps, so that bars keep still. */
 const scales = new Map<WrenchAxis, number>();
@@ -31,25 +31,38 @@ export function WrenchPanel() {
 function Legend() {
   return (
     <span class="legend muted">
-      <span><i class="key-achieved" /> achieved</span>
-      <span><i class="key-demanded" /> demanded</span>
+      <span>
+        <i class="key-achieved" /> achieved
+      </span>
+      <span>
+        <i class="key-demanded" /> demanded
+      </span>
     </span>
   );
 }
 
 function Rows() {
-  useFrame();
   const control = live.latest("tlm/control");
   if (!control) return <Empty>Demanded and achieved wrench appear with the first telemetry.</Empty>;
   return (
     <table class="wrench">
       <thead>
         <tr>
-          <th scope="col"><span class="sr">Component</span></th>
-          <th scope="col"><span class="sr">Achieved as a bar, demanded as a mark</span></th>
-          <th scope="col" class="num">dem.</th>
-          <th scope="col" class="num">ach.</th>
-          <th scope="col" class="num">resid.</th>
+          <th scope="col">
+            <span class="sr">Component</span>
+          </th>
+          <th scope="col">
+            <span class="sr">Achieved as a bar, demanded as a mark</span>
+          </th>
+          <th scope="col" class="num">
+            dem.
+          </th>
+          <th scope="col" class="num">
+            ach.
+          </th>
+          <th scope="col" class="num">
+            resid.
+          </th>
         </tr>
       </thead>
       <tbody>
@@ -61,9 +74,15 @@ function Rows() {
           const missed = Math.abs(residual ?? 0) > Math.max(0.1 * Math.abs(demanded ?? 0), 0.05 * scale);
           return (
             <tr key={axis} data-missed={missed ? "yes" : undefined}>
-              <th scope="row">{axis} <span class="unit">{axisUnit(axis)}</span></th>
-              <td class="bar-cell"><Bar demanded={demanded} achieved={achieved} scale={scale} /></td>
-              <td class="num" data-testid={`demanded-${axis}`}>{signed(demanded, 2)}</td>
+              <th scope="row">
+                {axis} <span class="unit">{axisUnit(axis)}</span>
+              </th>
+              <td class="bar-cell">
+                <Bar demanded={demanded} achieved={achieved} scale={scale} />
+              </td>
+              <td class="num" data-testid={`demanded-${axis}`}>
+                {signed(demanded, 2)}
+              </td>
               <td class="num">{signed(achieved, 2)}</td>
               <td class="num residual">{signed(residual, 2)}</td>
             </tr>
@@ -74,7 +93,15 @@ function Rows() {
   );
 }
 
-function Bar({ demanded, achieved, scale }: { demanded: number | null; achieved: number | null; scale: number }) {
+function Bar({
+  demanded,
+  achieved,
+  scale,
+}: {
+  demanded: number | null;
+  achieved: number | null;
+  scale: number;
+}) {
   const at = (value: number): number => 50 + 50 * Math.max(-1, Math.min(1, value / scale));
   const end = at(achieved ?? 0);
   return (

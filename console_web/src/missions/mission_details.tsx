@@ -1,54 +1,80 @@
 // The chosen mission: what it is for, its path from above, its file as written.
-import { useEffect, useState } from "preact/hooks";
-import { request, type Refusal } from "../api/http";
+import { useComputed, useSignal, useSignalEffect } from "@preact/signals";
+import { ask } from "../api/client";
+import type { Answer, Refusal } from "../api/http";
 import { missions } from "../api/resources";
 import type { MissionDetail } from "../api/types";
-import { clock, fixed } from "../lib/format";
 import { MissionPhase } from "../gen/bumpless_pb";
-import { isFlying, linkNow, PHASES, phaseNow } from "../live/link_state";
-import { useFrame } from "../stream/frame";
+import { clock, fixed } from "../lib/format";
+import { busy, chosen, mission as shown, startChosen } from "../shell/commands";
+import { flying, link, PHASES, phase } from "../stream/link";
 import { HoldButton } from "../ui/hold_button";
 import { PlayIcon, TrashIcon } from "../ui/icons";
 import { Empty, Panel } from "../ui/panel";
 import { ProblemTable, RefusalNotice } from "../ui/refusal";
-import { choose, commandState, startChosen } from "./commands";
+import "../ui/facts.css";
+import "./mission_details.css";
 import { PlanSketch } from "./plan_sketch";
 import { YamlText } from "./yaml_text";
 
 export function MissionDetails() {
-  useFrame();
-  const list = missions.use().value;
-  const name = commandState.chosen || list?.[0]?.name || "";
-  const hash = list?.find((mission) => mission.name === name)?.sha256;
-  const [detail, setDetail] = useState<MissionDetail>();
-  const [refusal, setRefusal] = useState<Refusal>();
-  useEffect(() => {
-    if (!name) return;
+  const answer = useSignal<Answer<MissionDetail> | undefined>(undefined);
+  const hash = useComputed(() => missions.value?.find((mission) => mission.name === shown.value)?.sha256);
+  useSignalEffect(() => {
+    void hash.value; // a file that was replaced is read again
+    if (!shown.value) return;
     let current = true;
-    void request<MissionDetail>("GET", `api/missions/${encodeURIComponent(name)}`).then((answer) => {
-      if (!current) return;
-      setDetail(answer.ok ? answer.value : undefined);
-      setRefusal(answer.ok ? undefined : answer);
+    void ask("get", "/api/missions/{name}", { path: { name: shown.value } }).then((got) => {
+      if (current) answer.value = got;
     });
     return () => {
       current = false;
     };
-  }, [name, hash]);
-
-  if (refusal) return <Panel title="Mission"><Empty>It cannot be read: {refusal.reason}</Empty></Panel>;
-  if (!detail) return <Panel title="Mission"><Empty>Choose a mission on the left to see its path and file.</Empty></Panel>;
+  });
+  if (answer.value?.ok === false) {
+    return (
+      <Panel title="Mission">
+        <Empty>It cannot be read: {answer.value.reason}</Empty>
+      </Panel>
+    );
+  }
+  const detail = answer.value?.value;
+  if (!detail)
+    return (
+      <Panel title="Mission">
+        <Empty>Choose a mission on the left to see its path and file.</Empty>
+      </Panel>
+    );
   return (
     <div class="column">
-      <Panel title={detail.title || detail.name} class="mission-about" aside={<StartHere name={detail.name} valid={detail.valid !== false} />}>
+      <Panel
+        title={detail.title || detail.name}
+        class="mission-about"
+        aside={<StartHere name={detail.name} valid={detail.valid !== false} />}
+      >
         <div class="about">
           <div class="about-text">
             <p>{detail.summary || "No summary."}</p>
             <dl class="facts">
-              <div><dt>File</dt><dd class="code">{detail.name}</dd></div>
-              <div><dt>Duration</dt><dd class="num">{clock(detail.duration_s)}</dd></div>
-              <div><dt>Hash</dt><dd class="code" title={detail.sha256}>{detail.sha256?.slice(0, 12) ?? "–"}</dd></div>
+              <div>
+                <dt>File</dt>
+                <dd class="code">{detail.name}</dd>
+              </div>
+              <div>
+                <dt>Duration</dt>
+                <dd class="num">{clock(detail.duration_s)}</dd>
+              </div>
+              <div>
+                <dt>Hash</dt>
+                <dd class="code" title={detail.sha256}>
+                  {detail.sha256?.slice(0, 12) ?? "–"}
+                </dd>
+              </div>
               {detail.target && (
-                <div><dt>Target NED</dt><dd class="num">{detail.target.position_ned_m.map((v) => fixed(v, 1)).join(", ")} m</dd></div>
+                <div>
+                  <dt>Target NED</dt>
+                  <dd class="num">{detail.target.position_ned_m.map((v) => fixed(v, 1)).join(", ")} m</dd>
+                </div>
               )}
             </dl>
             {detail.builtin === false && <Delete name={detail.name} />}
@@ -65,20 +91,19 @@ export function MissionDetails() {
 }
 
 function StartHere({ name, valid }: { name: string; valid: boolean }) {
-  useFrame();
-  const phase = phaseNow();
-  const look = linkNow().look;
-  const ready = valid && look === "live" && !isFlying(phase) && phase !== MissionPhase.UNSPECIFIED;
-  const why = !valid ? "The file breaks a rule" : look !== "live" ? "No live vehicle" : isFlying(phase) ? `Vehicle is ${PHASES[phase].toLowerCase()}` : "";
+  const alive = link.value.look === "live";
+  const ready = valid && alive && !flying.value && phase.value !== MissionPhase.UNSPECIFIED;
+  const state = flying.value ? `Vehicle is ${PHASES[phase.value].toLowerCase()}` : "";
+  const why = !valid ? "The file breaks a rule" : !alive ? "No live vehicle" : state;
   return (
     <>
       {why && <span class="muted">{why}</span>}
       <button
         type="button"
         class="action primary"
-        disabled={!ready || commandState.busy !== undefined}
+        disabled={!ready || busy.value !== undefined}
         onClick={() => {
-          choose(name);
+          chosen.value = name;
           void startChosen();
         }}
       >
@@ -89,12 +114,12 @@ function StartHere({ name, valid }: { name: string; valid: boolean }) {
 }
 
 function Delete({ name }: { name: string }) {
-  const [refusal, setRefusal] = useState<Refusal>();
+  const refusal = useSignal<Refusal | undefined>(undefined);
   const remove = async (): Promise<void> => {
-    const answer = await request("DELETE", `api/missions/${encodeURIComponent(name)}`);
-    setRefusal(answer.ok ? undefined : answer);
+    const answer = await ask("delete", "/api/missions/{name}", { path: { name } });
+    refusal.value = answer.ok ? undefined : answer;
     if (!answer.ok) return;
-    choose("");
+    chosen.value = "";
     await missions.refresh();
   };
   return (
@@ -102,7 +127,15 @@ function Delete({ name }: { name: string }) {
       <HoldButton name={`Delete ${name}`} class="danger" holdMs={700} onHeld={() => void remove()}>
         <TrashIcon /> Hold to delete
       </HoldButton>
-      {refusal && <RefusalNotice title="Not deleted." refusal={refusal} onClose={() => setRefusal(undefined)} />}
+      {refusal.value && (
+        <RefusalNotice
+          title="Not deleted."
+          refusal={refusal.value}
+          onClose={() => {
+            refusal.value = undefined;
+          }}
+        />
+      )}
     </>
   );
 }

@@ -3,39 +3,43 @@ import { useEffect } from "preact/hooks";
 import { missions } from "../api/resources";
 import type { MissionSummary } from "../api/types";
 import { clock } from "../lib/format";
-import { isFlying, phaseNow } from "../live/link_state";
-import { useFrame } from "../stream/frame";
+import { chosen, mission as shown } from "../shell/commands";
+import { flying as flyingNow } from "../stream/link";
 import { live } from "../stream/store";
 import { RecordIcon, WarningIcon } from "../ui/icons";
+import { Main } from "../ui/main";
 import { Empty, Panel } from "../ui/panel";
-import { choose, commandState } from "./commands";
+import "./missions_view.css";
 import { MissionDetails } from "./mission_details";
 import { UploadZone } from "./upload";
 
 export function MissionsView() {
   useEffect(() => void missions.refresh(), []);
   return (
-    <main class="view missions" aria-label="Missions">
+    <Main name="Missions" class="view missions">
       <div class="column">
         <UploadZone />
         <MissionList />
       </div>
       <MissionDetails />
-    </main>
+    </Main>
   );
 }
 
 function MissionList() {
-  useFrame();
-  const { value: list, refusal } = missions.use();
-  const flying = isFlying(phaseNow()) ? live.latest("tlm/mission")?.missionSha256 : undefined;
+  const { value: list, refusal } = missions;
+  const flying = flyingNow.value ? live.latest("tlm/mission")?.missionSha256 : undefined;
   return (
     <Panel title="Missions" class="mission-list" aside={<span class="muted num">{list?.length ?? ""}</span>}>
       {refusal && <Empty>The list cannot be read: {refusal.reason}</Empty>}
       {list?.length === 0 && <Empty>No missions yet. Drop a mission file above, or choose one.</Empty>}
       <ul class="rows">
         {list?.map((mission) => (
-          <MissionRow key={mission.name} mission={mission} flying={mission.sha256 !== undefined && mission.sha256 === flying} />
+          <MissionRow
+            key={mission.name}
+            mission={mission}
+            flying={mission.sha256 !== undefined && mission.sha256 === flying}
+          />
         ))}
       </ul>
     </Panel>
@@ -45,11 +49,26 @@ function MissionList() {
 function MissionRow({ mission, flying }: { mission: MissionSummary; flying: boolean }) {
   return (
     <li>
-      <button type="button" class="row" aria-pressed={commandState.chosen === mission.name} onClick={() => choose(mission.name)}>
+      <button
+        type="button"
+        class="row"
+        aria-pressed={shown.value === mission.name}
+        onClick={() => {
+          chosen.value = mission.name;
+        }}
+      >
         <span class="row-title">
           <b>{mission.title || mission.name}</b>
-          {flying && <span class="chip" data-look="running"><RecordIcon size={9} /> flying</span>}
-          {mission.valid === false && <span class="chip" data-look="stale"><WarningIcon size={11} /> not valid</span>}
+          {flying && (
+            <span class="chip" data-look="running">
+              <RecordIcon size={9} /> flying
+            </span>
+          )}
+          {mission.valid === false && (
+            <span class="chip" data-look="stale">
+              <WarningIcon size={11} /> not valid
+            </span>
+          )}
           {mission.builtin === false && <span class="tag">uploaded</span>}
         </span>
         <span class="row-text muted">

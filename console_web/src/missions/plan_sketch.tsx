@@ -2,6 +2,7 @@
 import type { MissionDetail } from "../api/types";
 import { fixed } from "../lib/format";
 import { Empty } from "../ui/panel";
+import "./plan_sketch.css";
 
 type Point = readonly [number, number];
 const WIDTH = 340;
@@ -15,11 +16,21 @@ export function PlanSketch({ mission }: { mission: MissionDetail }) {
   const hover = mission.target?.observation_point_ned_m;
   const points = [...path, ...(target ? [target] : []), ...(hover ? [hover] : [])];
   const toScreen = projection(points);
-  const line = path.map((point) => toScreen(point).map((v) => v.toFixed(1)).join(",")).join(" ");
-  const start = path[0] as number[];
+  const line = path
+    .map((point) =>
+      toScreen(point)
+        .map((v) => v.toFixed(1))
+        .join(","),
+    )
+    .join(" ");
+  const [start] = path;
   return (
-    <svg class="sketch" viewBox={`0 0 ${WIDTH} ${HEIGHT}`} role="img"
-      aria-label={`Plan from above: ${path.length} waypoints, north up`}>
+    <svg
+      class="sketch"
+      viewBox={`0 0 ${WIDTH} ${HEIGHT}`}
+      role="img"
+      aria-label={`Plan from above: ${path.length} waypoints, north up`}
+    >
       <Grid toScreen={toScreen} points={points} />
       <polyline points={line} class="sketch-path" />
       {path.map((point, index) => {
@@ -31,13 +42,15 @@ export function PlanSketch({ mission }: { mission: MissionDetail }) {
           </g>
         );
       })}
-      <Label at={toScreen(start)} text="start" />
+      {start && <Label at={toScreen(start)} text="start" />}
       {hover && <Marker at={toScreen(hover)} kind="hover" text="hover point" />}
       {target && <Marker at={toScreen(target)} kind="target" text="target" />}
       <Current ned={mission.current_ned_mps} />
       <g class="sketch-north" transform={`translate(${WIDTH - 16} 20)`}>
         <path d="M0 10V-8M-4 -3 0 -9 4 -3" />
-        <text y="21" text-anchor="middle">N</text>
+        <text y="21" text-anchor="middle">
+          N
+        </text>
       </g>
     </svg>
   );
@@ -49,12 +62,21 @@ function projection(points: readonly (readonly number[])[]): (point: readonly nu
   const east = points.map((p) => p[1] ?? 0);
   const [n0, n1] = [Math.min(...north), Math.max(...north)];
   const [e0, e1] = [Math.min(...east), Math.max(...east)];
-  const scale = Math.min((WIDTH - 2 * MARGIN) / Math.max(e1 - e0, 4), (HEIGHT - 2 * MARGIN) / Math.max(n1 - n0, 4));
+  const scale = Math.min(
+    (WIDTH - 2 * MARGIN) / Math.max(e1 - e0, 4),
+    (HEIGHT - 2 * MARGIN) / Math.max(n1 - n0, 4),
+  );
   const [nm, em] = [(n0 + n1) / 2, (e0 + e1) / 2];
   return (p) => [WIDTH / 2 + ((p[1] ?? 0) - em) * scale, HEIGHT / 2 - ((p[0] ?? 0) - nm) * scale];
 }
 
-function Grid({ toScreen, points }: { toScreen: (p: readonly number[]) => Point; points: readonly (readonly number[])[] }) {
+function Grid({
+  toScreen,
+  points,
+}: {
+  toScreen: (p: readonly number[]) => Point;
+  points: readonly (readonly number[])[];
+}) {
   const n0 = points[0]?.[0] ?? 0;
   const e0 = points[0]?.[1] ?? 0;
   const perMetre = toScreen([n0, e0 + 1])[0] - toScreen([n0, e0])[0];
@@ -67,8 +89,12 @@ function Grid({ toScreen, points }: { toScreen: (p: readonly number[]) => Point;
   for (let y = ((y0 % gap) + gap) % gap; y < HEIGHT; y += gap) ys.push(y);
   return (
     <g class="sketch-grid">
-      {xs.map((x) => <line key={`x${x}`} x1={x} x2={x} y1={0} y2={HEIGHT} />)}
-      {ys.map((y) => <line key={`y${y}`} y1={y} y2={y} x1={0} x2={WIDTH} />)}
+      {xs.map((x) => (
+        <line key={`x${x}`} x1={x} x2={x} y1={0} y2={HEIGHT} />
+      ))}
+      {ys.map((y) => (
+        <line key={`y${y}`} y1={y} y2={y} x1={0} x2={WIDTH} />
+      ))}
       <text x={8} y={HEIGHT - 8}>{`grid ${step} m`}</text>
     </g>
   );
@@ -76,7 +102,11 @@ function Grid({ toScreen, points }: { toScreen: (p: readonly number[]) => Point;
 
 function Label({ at: [x, y], text }: { at: Point; text: string }) {
   const right = x > WIDTH - 80;
-  return <text class="sketch-text" x={right ? x - 8 : x + 8} y={y - 7} text-anchor={right ? "end" : "start"}>{text}</text>;
+  return (
+    <text class="sketch-text" x={right ? x - 8 : x + 8} y={y - 7} text-anchor={right ? "end" : "start"}>
+      {text}
+    </text>
+  );
 }
 
 function Marker({ at: [x, y], kind, text }: { at: Point; kind: "hover" | "target"; text: string }) {
@@ -84,12 +114,19 @@ function Marker({ at: [x, y], kind, text }: { at: Point; kind: "hover" | "target
   return (
     <g class={`sketch-${kind}`} transform={`translate(${x.toFixed(1)} ${y.toFixed(1)})`}>
       {kind === "target" ? <path d="M-5 -5H5V5H-5Z" /> : <circle r="6" />}
-      <text class="sketch-text" x={right ? -10 : 10} y={kind === "target" ? -7 : 15} text-anchor={right ? "end" : "start"}>{text}</text>
+      <text
+        class="sketch-text"
+        x={right ? -10 : 10}
+        y={kind === "target" ? -7 : 15}
+        text-anchor={right ? "end" : "start"}
+      >
+        {text}
+      </text>
     </g>
   );
 }
 
-function Current({ ned }: { ned: number[] | undefined }) {
+function Current({ ned }: { ned: readonly number[] | null | undefined }) {
   const [north = 0, east = 0] = ned ?? [];
   const speed = Math.hypot(north, east);
   if (speed < 1e-3) return null;

@@ -1,16 +1,17 @@
 // Upload by drop or choice. A bad file is refused with a table of what is wrong and where.
-import { signal } from "../lib/signal";
-import { request, type Refusal } from "../api/http";
+import { signal, useSignal } from "@preact/signals";
+import { useRef } from "preact/hooks";
+import { ask } from "../api/client";
+import type { Refusal } from "../api/http";
 import { missions } from "../api/resources";
-import { useRef, useState } from "preact/hooks";
+import { chosen } from "../shell/commands";
 import { CheckIcon, UploadIcon } from "../ui/icons";
 import { ProblemTable, RefusalNotice } from "../ui/refusal";
-import type { MissionSummary } from "../api/types";
-import { choose } from "./commands";
+import "./upload.css";
 
 interface Upload {
   name: string;
-  text: string;
+  file: Blob; // its bytes travel as they are
   refusal?: Refusal;
 }
 
@@ -18,49 +19,59 @@ const MAX_BYTES = 1_000_000;
 const CONFLICT = 409;
 const last = signal<Upload | undefined>(undefined);
 
-async function send(name: string, text: string, replace: boolean): Promise<void> {
-  const query = `name=${encodeURIComponent(name)}${replace ? "&replace=1" : ""}`;
-  const answer = await request<MissionSummary>("POST", `api/missions?${query}`, text);
-  last.set(answer.ok ? { name, text } : { name, text, refusal: answer });
+async function send(name: string, file: Blob, replace: boolean): Promise<void> {
+  const query = replace ? { name, replace } : { name };
+  const answer = await ask("post", "/api/missions", { query, body: file });
+  last.value = answer.ok ? { name, file } : { name, file, refusal: answer };
   if (!answer.ok) return;
   await missions.refresh();
-  choose(answer.value.name);
+  chosen.value = answer.value.name;
 }
 
 async function take(file: File | undefined): Promise<void> {
   if (!file) return;
   if (file.size > MAX_BYTES) {
-    const refusal: Refusal = { ok: false, status: 0, reason: "The file is larger than 1 MB: not a mission.", problems: [] };
-    last.set({ name: file.name, text: "", refusal });
+    const refusal: Refusal = {
+      ok: false,
+      status: 0,
+      reason: "The file is larger than 1 MB: not a mission.",
+      problems: [],
+    };
+    last.value = { name: file.name, file, refusal };
     return;
   }
-  await send(file.name, await file.text(), false);
+  await send(file.name, file, false);
 }
 
 export function UploadZone() {
-  const [over, setOver] = useState(false);
+  const over = useSignal(false);
   const input = useRef<HTMLInputElement>(null);
-  const upload = last.use();
+  const upload = last.value;
   const drop = (event: DragEvent): void => {
     event.preventDefault();
-    setOver(false);
+    over.value = false;
     void take(event.dataTransfer?.files[0]);
   };
   return (
     <section class="panel upload" aria-label="Upload a mission">
+      {/* biome-ignore lint/a11y/noStaticElementInteractions: the button inside does the same by keyboard */}
       <div
         class="dropzone"
-        data-over={over ? "yes" : undefined}
+        data-over={over.value ? "yes" : undefined}
         onDragOver={(event) => {
           event.preventDefault();
-          setOver(true);
+          over.value = true;
         }}
-        onDragLeave={() => setOver(false)}
+        onDragLeave={() => {
+          over.value = false;
+        }}
         onDrop={drop}
       >
         <UploadIcon size={20} />
         <span>Drop a mission file (YAML) here, or</span>
-        <button type="button" class="action" onClick={() => input.current?.click()}>Choose a file</button>
+        <button type="button" class="action" onClick={() => input.current?.click()}>
+          Choose a file
+        </button>
         <input
           ref={input}
           type="file"
@@ -77,7 +88,9 @@ export function UploadZone() {
         />
       </div>
       {upload && !upload.refusal && (
-        <p class="note good" role="status"><CheckIcon /> {upload.name} is checked and stored.</p>
+        <p class="note good" role="status">
+          <CheckIcon /> {upload.name} is checked and stored.
+        </p>
       )}
       {upload?.refusal && <Refused upload={upload} refusal={upload.refusal} />}
     </section>
@@ -88,10 +101,16 @@ function Refused({ upload, refusal }: { upload: Upload; refusal: Refusal }) {
   const exists = refusal.status === CONFLICT && refusal.problems.length === 0;
   return (
     <div class="upload-result">
-      <RefusalNotice title={`${upload.name} not stored.`} refusal={refusal} onClose={() => last.set(undefined)} />
+      <RefusalNotice
+        title={`${upload.name} not stored.`}
+        refusal={refusal}
+        onClose={() => {
+          last.value = undefined;
+        }}
+      />
       {refusal.problems.length > 0 && <ProblemTable problems={refusal.problems} />}
       {exists && (
-        <button type="button" class="action" onClick={() => void send(upload.name, upload.text, true)}>
+        <button type="button" class="action" onClick={() => void send(upload.name, upload.file, true)}>
           Replace the stored file
         </button>
       )}

@@ -1,16 +1,20 @@
 // A YAML file with line numbers and quiet colours for keys and comments.
+import "./yaml_text.css";
 
 const LINE = /^(\s*(?:- )?)([A-Za-z_][\w.-]*)(:)(.*)$/;
 
 export function YamlText({ text }: { text: string }) {
   return (
-    <pre class="yaml" tabIndex={0} aria-label="Mission file">
-      {text.replace(/\n$/, "").split("\n").map((line, index) => (
-        <span key={index} class="yaml-line" data-line={index + 1}>
-          <Line text={line} />
-          {"\n"}
-        </span>
-      ))}
+    <pre class="yaml" role="region" tabIndex={0} aria-label="Mission file">
+      {text
+        .replace(/\n$/, "")
+        .split("\n")
+        .map((line, index) => (
+          <span key={index} class="yaml-line" data-line={index + 1}>
+            <Line text={line} />
+            {"\n"}
+          </span>
+        ))}
     </pre>
   );
 }
@@ -20,7 +24,16 @@ function Line({ text }: { text: string }) {
   const match = LINE.exec(body);
   return (
     <>
-      {match ? <>{match[1]}<span class="yaml-key">{match[2]}</span>{match[3]}{match[4]}</> : body}
+      {match ? (
+        <>
+          {match[1]}
+          <span class="yaml-key">{match[2]}</span>
+          {match[3]}
+          {match[4]}
+        </>
+      ) : (
+        body
+      )}
       {comment && <span class="yaml-comment">{comment}</span>}
     </>
   );
@@ -34,7 +47,8 @@ function splitComment(text: string): { body: string; comment: string } {
     if (quote) {
       if (c === quote) quote = "";
     } else if ((c === '"' || c === "'") && (i === 0 || " [{,:".includes(text[i - 1] as string))) quote = c;
-    else if (c === "#" && (i === 0 || text[i - 1] === " ")) return { body: text.slice(0, i), comment: text.slice(i) };
+    else if (c === "#" && (i === 0 || text[i - 1] === " "))
+      return { body: text.slice(0, i), comment: text.slice(i) };
   }
   return { body: text, comment: "" };
 }

@@ -1,12 +1,10 @@
 // What a run is doing now: recording, complete or interrupted; how long and how large.
 import type { RunSummary } from "../api/types";
-import { useFrame } from "../stream/frame";
 import { live } from "../stream/store";
 import { CheckIcon, RecordIcon, WarningIcon } from "../ui/icons";
 
 /** A run being recorded grows on the stream, without asking the server again. */
 export function useNow(run: RunSummary): { duration_s: number | null | undefined; bytes: number } {
-  useFrame();
   if (run.state !== "recording") return { duration_s: run.duration_s, bytes: run.bytes };
   const mission = live.latest("tlm/mission");
   const status = live.latest("server/status");
@@ -24,5 +22,9 @@ const STATES: Record<RunSummary["state"], { look: string; Icon: typeof CheckIcon
 
 export function RunState({ state }: { state: RunSummary["state"] }) {
   const { look, Icon } = STATES[state] ?? STATES.interrupted;
-  return <span class="chip" data-look={look}><Icon size={11} /> {state}</span>;
+  return (
+    <span class="chip" data-look={look}>
+      <Icon size={11} /> {state}
+    </span>
+  );
 }

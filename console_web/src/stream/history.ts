@@ -1,68 +1,96 @@
-// What the plots show: one row per received control cycle, in plain columns.
-import { MissionPhase, Mode } from "../gen/bumpless_pb";
-import type { LiveStore } from "./store";
+// What the plots show: one row per received control cycle. Columns have their full length from the start,
+// so that a page that stays open for a watch does not grow.
+import { Mode } from "../gen/bumpless_pb";
+import { WRENCH_AXES, wrenchOf } from "../lib/wrench";
+import { isFlying } from "./link";
+import { type LiveStore, live } from "./store";
 
-export type Column = (number | null)[];
-
-/** Ten minutes at 20 Hz. */
+/** Ten minutes at 20 Hz, and room before old rows are dropped. */
 const CAPACITY = 12_000;
+const ROOM = 15_000;
 /** A pause longer than this breaks the lines, s. */
 const GAP = 0.5;
-export const WRENCH_AXES = ["X", "Y", "Z", "K", "M", "N"] as const;
-export type WrenchAxis = (typeof WRENCH_AXES)[number];
+
+type Row = Record<string, number | null | undefined>;
 
 export class History {
+  /** Rows in use of every column. */
+  length = 0;
   /** Vehicle time, s since the UNIX epoch. */
-  time: number[] = [];
-  mode: Mode[] = [];
-  columns: Record<string, Column> = {};
+  readonly time = new Float64Array(ROOM);
+  readonly mode = new Uint8Array(ROOM);
   /** Vehicle time at mission time 0, s; NaN when no mission has been seen. */
-  missionStart = NaN;
+  missionStart = Number.NaN;
+  private readonly columns = new Map<string, Float64Array>();
   private flying = false;
   private unwrapped: Record<string, number> = {};
 
-  constructor(store: LiveStore) {
-    store.onChange((changed, past) => {
-      if (changed.has("tlm/navigation")) this.append(store, past);
+  constructor(private readonly store: LiveStore) {
+    store.onReceive((changed, past) => {
+      if (changed.has("tlm/navigation")) this.append(past);
     });
   }
 
+  first(): number {
+    return this.length ? (this.time[0] as number) : Number.NaN;
+  }
+
   last(): number {
-    return this.time.at(-1) ?? NaN;
+    return this.length ? (this.time[this.length - 1] as number) : Number.NaN;
+  }
+
+  /** A column's rows, NaN where there is no value; undefined for a name that never came. */
+  column(name: string): Float64Array | undefined {
+    return this.columns.get(name);
+  }
+
+  /** Index of the first row at or after `time`, s. */
+  firstIndex(time: number): number {
+    let low = 0;
+    let high = this.length;
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if ((this.time[middle] as number) < time) low = middle + 1;
+      else high = middle;
+    }
+    return low;
   }
 
   /** The past that a new connection begins with fills what was missed, and leaves alone what is here. */
-  private append(store: LiveStore, past: boolean): void {
-    const nav = store.latest("tlm/navigation");
+  private append(past: boolean): void {
+    const nav = this.store.received("tlm/navigation");
     if (!nav?.stamp) return;
     const time = Number(nav.stamp.timeNs) / 1e9;
     const previous = this.last();
     if (time === previous || (past && time < previous)) return;
     if (time < previous) this.clear();
     // A simulated vehicle is put at the start of its mission: that jump is no motion.
-    const phase = store.latest("tlm/supervisor")?.phase || store.latest("tlm/mission")?.phase;
-    const flying = phase === MissionPhase.RUNNING || phase === MissionPhase.PAUSED;
+    const supervisor = this.store.received("tlm/supervisor");
+    const flying = isFlying(supervisor?.phase || this.store.received("tlm/mission")?.phase);
     if (time - previous > GAP || (flying && !this.flying)) this.push(previous + 0.01, Mode.UNSPECIFIED, {});
     if (flying) this.missionStart = time - nav.stamp.missionTimeS;
     this.flying = flying;
+    this.push(time, (flying && supervisor?.mode) || Mode.UNSPECIFIED, this.row(flying));
+  }
 
-    const guidance = store.latest("tlm/guidance");
-    const supervisor = store.latest("tlm/supervisor");
-    const control = store.latest("tlm/control");
-    const allocation = store.latest("tlm/allocation");
-    const yaw = this.unwrap("yaw", nav.attitude?.yawDeg);
+  private row(flying: boolean): Row {
+    const nav = this.store.received("tlm/navigation");
+    const guidance = this.store.received("tlm/guidance");
+    const supervisor = this.store.received("tlm/supervisor");
+    const control = this.store.received("tlm/control");
+    const allocation = this.store.received("tlm/allocation");
+    const yaw = this.unwrap("yaw", nav?.attitude?.yawDeg);
     const yawReference = guidance?.attitudeReference?.yawDeg;
-    const row: Record<string, number | null | undefined> = {
-      depth: nav.depthM,
+    const row: Row = {
+      depth: nav?.depthM,
       depth_reference: guidance?.depthReferenceM,
-      speed: nav.velocityBodyMps?.x,
+      speed: nav?.velocityBodyMps?.x,
       speed_reference: guidance?.surgeSpeedReferenceMps,
       yaw,
-      yaw_reference:
-        yaw == null || yawReference == null ? null : yaw + wrapDegrees(yawReference - yaw),
-      pitch: nav.attitude?.pitchDeg,
+      yaw_reference: yaw == null || yawReference == null ? null : yaw + wrapDegrees(yawReference - yaw),
+      pitch: nav?.attitude?.pitchDeg,
       pitch_reference: guidance?.attitudeReference?.pitchDeg,
-      roll: nav.attitude?.rollDeg,
+      roll: nav?.attitude?.rollDeg,
       range: supervisor?.rangeM,
       kappa: flying ? supervisor?.kappa : null,
       detection: supervisor && Number(supervisor.detection),
@@ -74,44 +102,47 @@ export class History {
       row[`demanded_${axis}`] = wrenchOf(control?.demanded, axis);
       row[`achieved_${axis}`] = wrenchOf(control?.achieved, axis);
     }
-    store.latest("tlm/actuators")?.actuators.forEach((actuator) => {
+    for (const actuator of this.store.received("tlm/actuators")?.actuators ?? []) {
       row[`command_${actuator.name}`] = actuator.command;
       row[`feedback_${actuator.name}`] = actuator.feedback;
-    });
-    this.push(time, (flying && supervisor?.mode) || Mode.UNSPECIFIED, row);
+    }
+    return row;
   }
 
-  private push(time: number, mode: Mode, row: Record<string, number | null | undefined>): void {
-    const length = this.time.length;
-    this.time.push(time);
-    this.mode.push(mode);
-    for (const name of Object.keys(row)) this.columns[name] ??= new Array<null>(length).fill(null);
-    for (const [name, column] of Object.entries(this.columns)) {
-      const value = row[name];
-      column.push(value != null && Number.isFinite(value) ? value : null);
+  private push(time: number, mode: Mode, row: Row): void {
+    if (Number.isNaN(time)) return; // nothing stands before the first row
+    if (this.length === ROOM) this.drop(ROOM - CAPACITY);
+    const at = this.length++;
+    this.time[at] = time;
+    this.mode[at] = mode;
+    for (const name of Object.keys(row)) {
+      if (!this.columns.has(name)) this.columns.set(name, new Float64Array(ROOM).fill(Number.NaN));
     }
-    if (this.time.length > CAPACITY * 1.25) this.drop(this.time.length - CAPACITY);
+    for (const [name, column] of this.columns) {
+      const value = row[name];
+      column[at] = value != null && Number.isFinite(value) ? value : Number.NaN;
+    }
   }
 
   private drop(count: number): void {
-    this.time.splice(0, count);
-    this.mode.splice(0, count);
-    for (const column of Object.values(this.columns)) column.splice(0, count);
+    this.length -= count;
+    for (const column of [this.time, this.mode, ...this.columns.values()]) column.copyWithin(0, count);
   }
 
   private clear(): void {
-    this.time = [];
-    this.mode = [];
-    this.columns = {};
+    this.length = 0;
+    this.columns.clear();
     this.unwrapped = {};
-    this.missionStart = NaN;
+    this.missionStart = Number.NaN;
   }
 
   /** Angles go on past 360 so that a line never jumps. */
   private unwrap(name: string, degrees: number | undefined): number | null {
     if (degrees === undefined || !Number.isFinite(degrees)) return null;
     const before = this.unwrapped[name] ?? degrees;
-    return (this.unwrapped[name] = before + wrapDegrees(degrees - before));
+    const whole = before + wrapDegrees(degrees - before);
+    this.unwrapped[name] = whole;
+    return whole;
   }
 }
 
@@ -121,16 +152,5 @@ export function wrapDegrees(degrees: number): number {
   return wrapped > 180 ? wrapped - 360 : wrapped;
 }
 
-type WrenchMessage = { xN: number; yN: number; zN: number; kNm: number; mNm: number; nNm: number };
-
-export function wrenchOf(wrench: WrenchMessage | undefined, axis: WrenchAxis): number | null {
-  if (!wrench) return null;
-  switch (axis) {
-    case "X": return wrench.xN;
-    case "Y": return wrench.yN;
-    case "Z": return wrench.zN;
-    case "K": return wrench.kNm;
-    case "M": return wrench.mNm;
-    case "N": return wrench.nNm;
-  }
-}
+/** The page's one history of the stream. */
+export const history = new History(live);

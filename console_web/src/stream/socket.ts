@@ -1,5 +1,4 @@
 // The stream's WebSocket: binary frames in, nothing out; reconnects by itself.
-import { invalidate } from "./frame";
 import type { LiveStore } from "./store";
 
 const FIRST_RETRY_MS = 400;
@@ -20,13 +19,10 @@ export function connect(store: LiveStore): void {
   let timer: ReturnType<typeof setTimeout> | undefined;
 
   const lost = (): void => {
-    if (store.connection !== "lost") store.lostAt = performance.now();
-    store.connection = "lost";
-    store.retryAt = performance.now() + retryMs;
+    store.lose(retryMs);
     clearTimeout(timer);
     timer = setTimeout(open, retryMs);
     retryMs = Math.min(LAST_RETRY_MS, retryMs * 1.7);
-    invalidate();
   };
 
   const open = (): void => {
@@ -49,14 +45,13 @@ export function connect(store: LiveStore): void {
     socket.onmessage = (event: MessageEvent<ArrayBuffer>) => {
       listen();
       retryMs = FIRST_RETRY_MS;
-      store.connection = "open";
       store.receive(new Uint8Array(event.data));
     };
     socket.onclose = end;
   };
 
   addEventListener("online", () => {
-    if (store.connection === "lost") open();
+    if (store.connection.peek() === "lost") open();
   });
   open();
 }

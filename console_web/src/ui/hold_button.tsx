@@ -1,9 +1,12 @@
 // A button that acts only when held down: pointer, Space or Enter. Letting go cancels.
+
+import { useSignal } from "@preact/signals";
 import type { ComponentChildren } from "preact";
-import { useEffect, useRef, useState } from "preact/hooks";
+import { useEffect, useRef } from "preact/hooks";
+import "./hold_button.css";
 
 interface HoldProps {
-  /** What it does, for a screen reader; the holding is added. */
+  /** What it does, for a screen reader, after the words that are seen; the holding is added. */
   name: string;
   holdMs?: number;
   disabled?: boolean;
@@ -13,8 +16,16 @@ interface HoldProps {
   children: ComponentChildren;
 }
 
-export function HoldButton({ name, holdMs = 1000, disabled, class: look, title, onHeld, children }: HoldProps) {
-  const [holding, setHolding] = useState(false);
+export function HoldButton({
+  name,
+  holdMs = 1000,
+  disabled,
+  class: look,
+  title,
+  onHeld,
+  children,
+}: HoldProps) {
+  const holding = useSignal(false);
   const timer = useRef<ReturnType<typeof setTimeout> | undefined>(undefined);
   const action = useRef(onHeld);
   action.current = onHeld;
@@ -22,11 +33,11 @@ export function HoldButton({ name, holdMs = 1000, disabled, class: look, title, 
   const release = (): void => {
     clearTimeout(timer.current);
     timer.current = undefined;
-    setHolding(false);
+    holding.value = false;
   };
   const press = (): void => {
     if (disabled || timer.current !== undefined) return;
-    setHolding(true);
+    holding.value = true;
     timer.current = setTimeout(() => {
       release();
       action.current();
@@ -42,10 +53,9 @@ export function HoldButton({ name, holdMs = 1000, disabled, class: look, title, 
     <button
       type="button"
       class={`hold ${look ?? ""}`}
-      data-holding={holding ? "yes" : undefined}
+      data-holding={holding.value ? "yes" : undefined}
       disabled={disabled}
       title={title}
-      aria-label={`${name}: press and hold for ${(holdMs / 1000).toFixed(1)} s`}
       style={{ "--hold": `${holdMs}ms` }}
       onPointerDown={(event) => event.button === 0 && press()}
       onPointerUp={release}
@@ -62,6 +72,9 @@ export function HoldButton({ name, holdMs = 1000, disabled, class: look, title, 
     >
       <span class="hold-fill" aria-hidden="true" />
       <span class="hold-label">{children}</span>
+      <span class="sr">
+        . {name}: press and hold for {(holdMs / 1000).toFixed(1)} s
+      </span>
     </button>
   );
 }

@@ -22,10 +22,23 @@ function icon(children: ComponentChildren, filled = false) {
   };
 }
 
-export const InfoIcon = icon(<><circle cx="8" cy="8" r="6" /><path d="M8 7.4v3.4M8 5v.2" /></>);
-export const WarningIcon = icon(<><path d="M8 2 14.6 13.6H1.4Z" /><path d="M8 6.4v3.2M8 11.6v.1" /></>);
+export const InfoIcon = icon(
+  <>
+    <circle cx="8" cy="8" r="6" />
+    <path d="M8 7.4v3.4M8 5v.2" />
+  </>,
+);
+export const WarningIcon = icon(
+  <>
+    <path d="M8 2 14.6 13.6H1.4Z" />
+    <path d="M8 6.4v3.2M8 11.6v.1" />
+  </>,
+);
 export const AlarmIcon = icon(
-  <><path d="M5.2 1.5h5.6l3.7 3.7v5.6l-3.7 3.7H5.2l-3.7-3.7V5.2Z" /><path d="M8 4.6v4.2M8 11.2v.1" /></>,
+  <>
+    <path d="M5.2 1.5h5.6l3.7 3.7v5.6l-3.7 3.7H5.2l-3.7-3.7V5.2Z" />
+    <path d="M8 4.6v4.2M8 11.2v.1" />
+  </>,
 );
 export const CheckIcon = icon(<path d="m3 8.6 3.2 3.2L13 4.6" />);
 export const CrossIcon = icon(<path d="m4 4 8 8M12 4l-8 8" />);
@@ -40,7 +53,10 @@ export const UndoIcon = icon(<path d="M5.5 3 2.5 6l3 3M2.8 6H10a3.6 3.6 0 0 1 0 
 export const RedoIcon = icon(<path d="m10.5 3 3 3-3 3M13.2 6H6a3.6 3.6 0 0 0 0 7.2h3" />);
 export const TrashIcon = icon(<path d="M2.5 4h11M6 4V2.4h4V4M4 4l.7 9.6h6.6L12 4" />);
 export const SunIcon = icon(
-  <><circle cx="8" cy="8" r="3" /><path d="M8 1.2v1.4M8 13.4v1.4M1.2 8h1.4M13.4 8h1.4M3.2 3.2l1 1M11.8 11.8l1 1M12.8 3.2l-1 1M4.2 11.8l-1 1" /></>,
+  <>
+    <circle cx="8" cy="8" r="3" />
+    <path d="M8 1.2v1.4M8 13.4v1.4M1.2 8h1.4M13.4 8h1.4M3.2 3.2l1 1M11.8 11.8l1 1M12.8 3.2l-1 1M4.2 11.8l-1 1" />
+  </>,
 );
 export const MoonIcon = icon(<path d="M13.5 9.6A6 6 0 0 1 6.4 2.5a6 6 0 1 0 7.1 7.1Z" />);
 export const TriangleIcon = icon(<path d="M8 2.5 14.5 13h-13Z" />, true);

@@ -1,9 +1,9 @@
 // A titled box. Given a topic it dims and says how old the values are when they are not present.
 import type { ComponentChildren } from "preact";
 import { age } from "../lib/format";
-import { useFrame } from "../stream/frame";
 import { live } from "../stream/store";
 import type { TopicName } from "../stream/topics";
+import "./panel.css";
 
 interface PanelProps {
   title: string;
@@ -32,18 +32,24 @@ export function Panel({ title, topic, unit, aside, class: name, children }: Pane
 
 /** Nothing while the topic is present; its age when it is not. */
 export function AgeChip({ topic }: { topic: TopicName }) {
-  useFrame();
   const seconds = live.age(topic);
   if (live.isFresh(topic)) return null;
   const text = seconds === undefined ? "no data" : `stale ${age(seconds)}`;
-  return <span class="age-chip" data-testid={`age-${topic}`}>{text}</span>;
+  return (
+    <span class="age-chip" data-testid={`age-${topic}`}>
+      {text}
+    </span>
+  );
 }
 
 function Freshness({ topic, children }: { topic: TopicName; children: ComponentChildren }) {
-  useFrame();
   const known = live.latest(topic) !== undefined;
   const state = live.isFresh(topic) ? "fresh" : known ? "stale" : "empty";
-  return <div class="panel-body" data-state={state}>{children}</div>;
+  return (
+    <div class="panel-body" data-state={state}>
+      {children}
+    </div>
+  );
 }
 
 /** What to do next, where there is nothing to show yet. */

@@ -1,8 +1,18 @@
 // A refusal as it came: the reason in one sentence, then each problem with its place and rule.
-import type { Problem, Refusal } from "../api/http";
+import type { Refusal } from "../api/http";
+import type { Problem } from "../api/types";
 import { AlarmIcon, CrossIcon } from "./icons";
+import "./refusal.css";
 
-export function RefusalNotice({ title, refusal, onClose }: { title: string; refusal: Refusal; onClose?: () => void }) {
+export function RefusalNotice({
+  title,
+  refusal,
+  onClose,
+}: {
+  title: string;
+  refusal: Refusal;
+  onClose?: () => void;
+}) {
   return (
     <div class="refusal" role="alert">
       <AlarmIcon size={16} />
@@ -25,7 +35,11 @@ export function ProblemTable({ problems }: { problems: Problem[] }) {
       <thead>
         <tr>
           {inFile && <th scope="col">File</th>}
-          {inFile && <th scope="col" class="num">Line</th>}
+          {inFile && (
+            <th scope="col" class="num">
+              Line
+            </th>
+          )}
           <th scope="col">Field</th>
           <th scope="col">Value</th>
           <th scope="col">Rule</th>

@@ -1,42 +1,62 @@
 // The draft's state and its three actions: undo, revert, apply. What the vehicle answered stays
 // in sight until the next edit.
-import { useFrame } from "../stream/frame";
+
+import { link } from "../stream/link";
 import { live } from "../stream/store";
-import { linkNow } from "../live/link_state";
 import { CheckIcon, RedoIcon, UndoIcon, WarningIcon } from "../ui/icons";
 import { ProblemTable, RefusalNotice } from "../ui/refusal";
 import { draft } from "./draft";
 import { isOutside } from "./ranges";
+import "./apply_bar.css";
 
 const SLOW_MS = 3000;
 
 export function ApplyBar() {
-  useFrame();
-  const { apply } = draft.use();
-  const changed = draft.changedPaths();
+  const apply = draft.apply.value;
+  const changed = draft.changedPaths.value;
   const outside = changed.filter((path) => {
     const value = draft.value(path);
     return typeof value === "number" && isOutside(path, value);
   }).length;
   const busy = apply.state === "sending" || apply.state === "awaiting";
-  const live_ = linkNow().look === "live";
-  const ready = changed.length > 0 && draft.invalid.size === 0 && !busy && live_;
+  const ready = changed.length > 0 && draft.invalid.value.size === 0 && !busy && link.value.look === "live";
   return (
     <section class="panel apply" aria-label="Draft">
       <div class="apply-line">
         <span class="apply-state" role="status">
-          {changed.length === 0 ? "The draft equals what the vehicle flies with." : `${changed.length} ${changed.length === 1 ? "change" : "changes"} in the draft, not active yet.`}
+          {changed.length === 0
+            ? "The draft equals what the vehicle flies with."
+            : `${changed.length} ${changed.length === 1 ? "change" : "changes"} in the draft, not active yet.`}
           {outside > 0 && <span class="lost"> {outside} out of range.</span>}
         </span>
         <Outcome />
         <span class="grow" />
-        <button type="button" class="quiet" aria-label="Undo" title="Undo (Ctrl+Z)" disabled={!draft.canUndo()} onClick={() => draft.undo()}>
+        <button
+          type="button"
+          class="quiet"
+          aria-label="Undo"
+          title="Undo (Ctrl+Z)"
+          disabled={!draft.canUndo.value}
+          onClick={() => draft.undo()}
+        >
           <UndoIcon />
         </button>
-        <button type="button" class="quiet" aria-label="Redo" title="Redo (Ctrl+Shift+Z)" disabled={!draft.canRedo()} onClick={() => draft.redo()}>
+        <button
+          type="button"
+          class="quiet"
+          aria-label="Redo"
+          title="Redo (Ctrl+Shift+Z)"
+          disabled={!draft.canRedo.value}
+          onClick={() => draft.redo()}
+        >
           <RedoIcon />
         </button>
-        <button type="button" class="action" disabled={changed.length === 0 || busy} onClick={() => draft.revertAll()}>
+        <button
+          type="button"
+          class="action"
+          disabled={changed.length === 0 || busy}
+          onClick={() => draft.revertAll()}
+        >
           Revert all
         </button>
         <button type="button" class="action primary" disabled={!ready} onClick={() => void draft.send()}>
@@ -45,7 +65,11 @@ export function ApplyBar() {
       </div>
       {apply.state === "refused" && (
         <>
-          <RefusalNotice title="Refused; nothing was changed." refusal={apply.refusal} onClose={() => draft.dismiss()} />
+          <RefusalNotice
+            title="Refused; nothing was changed."
+            refusal={apply.refusal}
+            onClose={() => draft.dismiss()}
+          />
           {apply.refusal.problems.length > 0 && <ProblemTable problems={apply.refusal.problems} />}
         </>
       )}
@@ -54,13 +78,17 @@ export function ApplyBar() {
 }
 
 function Outcome() {
-  const { apply } = draft.use();
+  const apply = draft.apply.value;
   const revision = live.latest("tlm/parameters")?.revision;
   switch (apply.state) {
     case "sending":
-      return <span class="chip" data-look="waiting">Sent to the vehicle</span>;
+      return (
+        <span class="chip" data-look="waiting">
+          Sent to the vehicle
+        </span>
+      );
     case "awaiting": {
-      const slow = performance.now() - apply.since > SLOW_MS;
+      const slow = live.now.value - apply.since > SLOW_MS;
       return (
         <span class="chip" data-look={slow ? "stale" : "waiting"}>
           {slow && <WarningIcon />} Accepted, waiting for revision {apply.revision} on the stream
@@ -80,6 +108,10 @@ function Outcome() {
         </span>
       );
     default:
-      return revision === undefined ? null : <span class="muted">Active: revision <span class="num">{String(revision)}</span></span>;
+      return revision === undefined ? null : (
+        <span class="muted">
+          Active: revision <span class="num">{String(revision)}</span>
+        </span>
+      );
   }
 }

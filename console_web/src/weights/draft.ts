@@ -1,10 +1,12 @@
 // The draft: changes laid over what the vehicle flies with. Only the vehicle's own word makes a
 // value active; the draft follows when the active values change under it.
-import { request, type Refusal } from "../api/http";
+import { batch, computed, effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
+import { ask } from "../api/client";
+import type { Answer, Refusal } from "../api/http";
 import type { CommandReply } from "../api/types";
-import { signal } from "../lib/signal";
+import type { ParametersStatus } from "../gen/bumpless_pb";
 import { live } from "../stream/store";
-import { flatOfMessage, jsonOfFlat, type Flat, type Value } from "./flat";
+import { type Flat, flatOfMessage, jsonOfFlat, type Value } from "./flat";
 
 export type Changes = Readonly<Record<string, Value>>;
 
@@ -16,95 +18,88 @@ export type Apply =
   | { state: "differs"; revision: number; paths: string[] }
   | { state: "refused"; refusal: Refusal };
 
-const HISTORY = 200;
+type Put = (parameters: object) => Promise<Answer<CommandReply>>;
+const STEPS_KEPT = 200;
 
 export class Draft {
-  apply: Apply = { state: "none" };
-  readonly invalid = new Set<string>();
-  private changes: Changes = {};
-  private past: Changes[] = [];
-  private future: Changes[] = [];
+  readonly apply = signal<Apply>({ state: "none" });
+  /** Paths whose field holds no number. */
+  readonly invalid = signal<ReadonlySet<string>>(new Set());
+  /** What the vehicle says it flies with; empty before its first word. */
+  readonly active: ReadonlySignal<Flat>;
+  readonly changedPaths = computed(() =>
+    Object.keys(this.changes.value).filter((path) => this.differs(path)),
+  );
+  readonly canUndo = computed(() => this.past.value.length > 0);
+  readonly canRedo = computed(() => this.future.value.length > 0);
+  private readonly changes = signal<Changes>({});
+  private readonly past = signal<readonly Changes[]>([]);
+  private readonly future = signal<readonly Changes[]>([]);
   private lastPath = "";
-  private source: unknown;
-  private activeFlat: Flat = {};
   private revision = 0;
-  private readonly version = signal(0);
 
-  constructor() {
-    live.onChange((changed) => {
-      if (changed.has("tlm/parameters")) this.followVehicle();
+  constructor(
+    private readonly said: ReadonlySignal<ParametersStatus | undefined>,
+    private readonly put: Put,
+  ) {
+    this.active = computed(() => {
+      const message = said.value?.active;
+      return message ? flatOfMessage(message) : {};
+    });
+    effect(() => {
+      void said.value;
+      untracked(() => this.followVehicle());
     });
   }
 
-  use(): this {
-    this.version.use();
-    return this;
-  }
-
-  /** What the vehicle says it flies with; empty before its first word. */
-  active(): Flat {
-    const message = live.latest("tlm/parameters")?.active;
-    if (message && message !== this.source) {
-      this.source = message;
-      this.activeFlat = flatOfMessage(message);
-    }
-    return this.activeFlat;
-  }
-
   value(path: string): Value | undefined {
-    return this.changes[path] ?? this.active()[path];
+    return this.changes.value[path] ?? this.active.value[path];
   }
 
   differs(path: string): boolean {
-    const changed = this.changes[path];
-    return changed !== undefined && changed !== this.active()[path];
-  }
-
-  changedPaths(): string[] {
-    return Object.keys(this.changes).filter((path) => this.differs(path));
-  }
-
-  changeCount(): number {
-    return this.changedPaths().length;
+    const changed = this.changes.value[path];
+    return changed !== undefined && changed !== this.active.value[path];
   }
 
   /** Edits of one field in a row are one step of undo. */
   set(path: string, value: Value): void {
     if (this.value(path) === value) return;
-    const next = { ...this.changes, [path]: value };
-    if (value === this.active()[path]) delete next[path];
-    this.step(next, path);
+    const { [path]: _, ...rest } = this.changes.value;
+    this.step(value === this.active.value[path] ? rest : { ...rest, [path]: value }, path);
+  }
+
+  /** The field of `path` holds a number, or does not. */
+  setValid(path: string, valid: boolean): void {
+    if (this.invalid.value.has(path) !== valid) return;
+    const next = new Set(this.invalid.value);
+    if (valid) next.delete(path);
+    else next.add(path);
+    this.invalid.value = next;
   }
 
   revert(path: string): void {
-    const { [path]: _, ...rest } = this.changes;
-    this.invalid.delete(path);
+    const { [path]: _, ...rest } = this.changes.value;
+    this.setValid(path, true);
     this.step(rest);
   }
 
   revertAll(): void {
-    this.invalid.clear();
+    this.invalid.value = new Set();
     this.step({});
   }
 
   /** Lay a whole set of values over the active ones, as one step of undo. */
   load(values: Flat): void {
-    const active = this.active();
-    const differing = Object.entries(values).filter(([path, value]) => path in active && active[path] !== value);
-    this.invalid.clear();
+    const active = this.active.value;
+    const differing = Object.entries(values).filter(
+      ([path, value]) => path in active && active[path] !== value,
+    );
+    this.invalid.value = new Set();
     this.step(Object.fromEntries(differing));
   }
 
   endEdit(): void {
     this.lastPath = "";
-  }
-
-  canUndo(): boolean {
-    return this.past.length > 0;
-  }
-
-  canRedo(): boolean {
-    return this.future.length > 0;
   }
 
   undo(): void {
@@ -115,75 +110,80 @@ export class Draft {
     this.travel(this.future, this.past);
   }
 
-  /** The whole set that would be flown: active values with the changes laid over them. */
+  /** Every value as it would fly. */
   whole(): Flat {
-    return { ...this.active(), ...this.changes };
+    return { ...this.active.value, ...this.changes.value };
   }
 
   async send(): Promise<void> {
     const values = this.whole();
-    this.setApply({ state: "sending" });
-    const answer = await request<CommandReply>("PUT", "api/parameters", jsonOfFlat(values));
-    if (!answer.ok) return this.setApply({ state: "refused", refusal: answer });
-    const revision = Number(answer.value.revision ?? 0);
-    this.setApply({ state: "awaiting", revision, values, since: performance.now() });
+    this.apply.value = { state: "sending" };
+    const answer = await this.put(jsonOfFlat(values));
+    if (!answer.ok) {
+      this.apply.value = { state: "refused", refusal: answer };
+      return;
+    }
+    this.apply.value = {
+      state: "awaiting",
+      revision: answer.value.revision,
+      values,
+      since: performance.now(),
+    };
     this.followVehicle();
   }
 
   dismiss(): void {
-    this.setApply({ state: "none" });
+    this.apply.value = { state: "none" };
   }
 
   /** The vehicle spoke: drop changes that are now active, and settle an apply under way. */
   private followVehicle(): void {
-    const apply = this.apply;
-    const said = live.latest("tlm/parameters");
-    const active = this.active();
+    const apply = this.apply.value;
+    const said = this.said.value;
     const revision = Number(said?.revision ?? 0);
     const anew = revision < this.revision; // another node counts from the beginning and will not reach ours
     this.revision = revision;
-    if (apply.state === "awaiting" && said && (revision >= apply.revision || anew)) {
-      const paths = Object.keys(apply.values).filter((path) => active[path] !== apply.values[path]);
-      const count = Object.keys(this.changes).length;
-      this.changes = Object.fromEntries(Object.entries(this.changes).filter(([p, v]) => active[p] !== v));
-      this.past = [];
-      this.future = [];
-      this.setApply(
-        paths.length
-          ? { state: "differs", revision: apply.revision, paths }
-          : { state: "confirmed", revision: apply.revision, count },
-      );
-    }
-    this.changed();
-  }
-
-  private setApply(next: Apply): void {
-    this.apply = next;
-    this.changed();
+    if (apply.state !== "awaiting" || !said || !(revision >= apply.revision || anew)) return;
+    const active = this.active.value;
+    const paths = Object.keys(apply.values).filter((path) => active[path] !== apply.values[path]);
+    const count = Object.keys(this.changes.value).length;
+    batch(() => {
+      const open = Object.entries(this.changes.value).filter(([path, value]) => active[path] !== value);
+      this.changes.value = Object.fromEntries(open);
+      this.past.value = [];
+      this.future.value = [];
+      this.apply.value = paths.length
+        ? { state: "differs", revision: apply.revision, paths }
+        : { state: "confirmed", revision: apply.revision, count };
+    });
   }
 
   private step(next: Changes, path = ""): void {
-    if (!path || path !== this.lastPath) this.past = [...this.past, this.changes].slice(-HISTORY);
-    this.lastPath = path;
-    this.future = [];
-    this.changes = next;
-    if (this.apply.state !== "sending" && this.apply.state !== "awaiting") this.apply = { state: "none" };
-    this.changed();
+    batch(() => {
+      if (!path || path !== this.lastPath)
+        this.past.value = [...this.past.value, this.changes.value].slice(-STEPS_KEPT);
+      this.lastPath = path;
+      this.future.value = [];
+      this.changes.value = next;
+      const { state } = this.apply.value;
+      if (state !== "sending" && state !== "awaiting") this.dismiss();
+    });
   }
 
-  private travel(from: Changes[], to: Changes[]): void {
-    const changes = from.pop();
+  private travel(from: typeof this.past, to: typeof this.past): void {
+    const changes = from.value.at(-1);
     if (!changes) return;
-    to.push(this.changes);
-    this.changes = changes;
-    this.invalid.clear();
-    this.lastPath = "";
-    this.changed();
-  }
-
-  changed(): void {
-    this.version.set(this.version.get() + 1);
+    batch(() => {
+      from.value = from.value.slice(0, -1);
+      to.value = [...to.value, this.changes.value];
+      this.changes.value = changes;
+      this.invalid.value = new Set();
+      this.lastPath = "";
+    });
   }
 }
 
-export const draft = new Draft();
+export const draft = new Draft(
+  computed(() => live.latest("tlm/parameters")),
+  (body) => ask("put", "/api/parameters", { body }),
+);

@@ -1,9 +1,11 @@
 // One parameter: the draft's value, a badge with the active one when it differs, its range and
 // the vehicle's objection if there is one.
-import { useEffect, useState } from "preact/hooks";
+import { useSignal } from "@preact/signals";
+import { useEffect } from "preact/hooks";
 import { compact } from "../lib/format";
 import { UndoIcon } from "../ui/icons";
 import { draft } from "./draft";
+import "./field.css";
 import { isOutside, rangeOf, rangeText } from "./ranges";
 
 const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
@@ -19,36 +21,40 @@ function show(value: number | undefined): string {
 
 /** What the vehicle or the server said against this field. */
 function objection(path: string): string {
-  if (draft.apply.state !== "refused") return "";
+  const apply = draft.apply.value;
+  if (apply.state !== "refused") return "";
   const bare = path.replace(/\[\d+\]$/, "");
-  const found = draft.apply.refusal.problems.find((p) => p.field === path || p.field === bare);
+  const found = apply.refusal.problems.find((p) => p.field === path || p.field === bare);
   return found?.rule ?? "";
 }
 
 export function NumberField({ path, name, integer }: { path: string; name: string; integer?: boolean }) {
-  const value = draft.use().value(path) as number | undefined;
-  const [text, setText] = useState(show(value));
+  const value = draft.value(path) as number | undefined;
+  const text = useSignal(show(value));
   useEffect(() => {
-    if (parse(text) !== value) setText(show(value));
+    if (parse(text.value) !== value) text.value = show(value);
   }, [value]);
-  useEffect(() => () => void draft.invalid.delete(path), [path]);
+  useEffect(() => () => draft.setValid(path, true), [path]);
 
   if (value === undefined) return <span class="muted">–</span>;
-  const number = parse(text);
+  const number = parse(text.value);
   const malformed = number === undefined || (integer === true && !Number.isInteger(number));
   const range = rangeText(rangeOf(path));
-  const against = objection(path);
-  const outside = !malformed && isOutside(path, number);
-  const problem = malformed ? (integer ? "Must be a whole number." : "Must be a number.") : against || (outside ? `Must be ${range}.` : "");
+  const wanted = integer ? "Must be a whole number." : "Must be a number.";
+  const outside = !malformed && isOutside(path, number) ? `Must be ${range}.` : "";
+  const problem = malformed ? wanted : objection(path) || outside;
   const edit = (next: string): void => {
-    setText(next);
+    text.value = next;
     const parsed = parse(next);
-    if (parsed === undefined || (integer && !Number.isInteger(parsed))) draft.invalid.add(path);
-    else {
-      draft.invalid.delete(path);
-      draft.set(path, parsed);
-    }
-    draft.changed();
+    const valid = parsed !== undefined && (!integer || Number.isInteger(parsed));
+    draft.setValid(path, valid);
+    if (valid) draft.set(path, parsed);
+  };
+  const leave = (): void => {
+    draft.endEdit();
+    if (!draft.invalid.value.has(path)) return;
+    draft.setValid(path, true);
+    text.value = show(value);
   };
   return (
     <span class="field" data-differs={draft.differs(path) ? "yes" : undefined}>
@@ -59,24 +65,22 @@ export function NumberField({ path, name, integer }: { path: string; name: strin
         aria-invalid={problem !== ""}
         title={[path, range && `Range ${range}`, problem].filter(Boolean).join("\n")}
         data-path={path}
-        value={text}
+        value={text.value}
         onInput={(event) => edit(event.currentTarget.value)}
-        onBlur={() => {
-          draft.endEdit();
-          if (draft.invalid.delete(path)) {
-            setText(show(value));
-            draft.changed();
-          }
-        }}
+        onBlur={leave}
       />
       <Difference path={path} name={name} />
-      {problem && <span class="field-problem" role="alert">{problem}</span>}
+      {problem && (
+        <span class="field-problem" role="alert">
+          {problem}
+        </span>
+      )}
     </span>
   );
 }
 
 export function SwitchField({ path, name, about }: { path: string; name: string; about: string }) {
-  const value = draft.use().value(path) as boolean | undefined;
+  const value = draft.value(path) as boolean | undefined;
   if (value === undefined) return null;
   return (
     <span class="field switch" data-differs={draft.differs(path) ? "yes" : undefined}>
@@ -97,7 +101,7 @@ export function SwitchField({ path, name, about }: { path: string; name: string;
 
 function Difference({ path, name }: { path: string; name: string }) {
   if (!draft.differs(path)) return null;
-  const active = draft.active()[path];
+  const active = draft.active.value[path];
   const text = typeof active === "boolean" ? (active ? "on" : "off") : compact(active, 6);
   return (
     <button

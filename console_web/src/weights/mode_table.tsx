@@ -1,9 +1,10 @@
 // Q, R, lambda and ramp of the three modes side by side: rows are parameters, columns are modes.
 import { FLIGHT_MODES } from "../lib/modes";
-import { actuatorNames, axisUnit, controllableAxes } from "../lib/vehicle";
-import { WRENCH_AXES } from "../stream/history";
-import { draft } from "./draft";
+import { actuatorNames, controllableAxes } from "../lib/vehicle";
+import { axisUnit, WRENCH_AXES } from "../lib/wrench";
+import { ModeLetter } from "../ui/mode_mark";
 import { NumberField } from "./field";
+import "./mode_table.css";
 
 interface Row {
   key: string;
@@ -23,15 +24,33 @@ function blocks(): Block[] {
   const axes = controllableAxes();
   const q = WRENCH_AXES.flatMap((axis, index): Row[] =>
     axes.includes(axis)
-      ? [{ key: `q_diagonal[${index}]`, name: `Q ${axis}`, unit: axisUnit(axis) === "N" ? "1/N²" : "1/(N·m)²", about: `Weight of the error in ${axis}` }]
+      ? [
+          {
+            key: `q_diagonal[${index}]`,
+            name: `Q ${axis}`,
+            unit: axisUnit(axis) === "N" ? "1/N²" : "1/(N·m)²",
+            about: `Weight of the error in ${axis}`,
+          },
+        ]
       : [],
   );
   const r = actuatorNames().map(
-    (name, index): Row => ({ key: `r_diagonal[${index}]`, name: `R ${name}`, unit: "1", about: `Weight of the command of ${name}, over its bound` }),
+    (name, index): Row => ({
+      key: `r_diagonal[${index}]`,
+      name: `R ${name}`,
+      unit: "1",
+      about: `Weight of the command of ${name}, over its bound`,
+    }),
   );
   const rest: Row[] = [
     { key: "lambda", name: "λ", unit: "1", about: "Price of commands against wrench error" },
-    { key: "ramp_cycles", name: "N_sw", unit: "cycles", about: "Length of the blend into this mode", integer: true },
+    {
+      key: "ramp_cycles",
+      name: "N_sw",
+      unit: "cycles",
+      about: "Length of the blend into this mode",
+      integer: true,
+    },
   ];
   return [
     { title: "Q", about: "wrench error", rows: q },
@@ -41,15 +60,16 @@ function blocks(): Block[] {
 }
 
 export function ModeTable() {
-  draft.use();
   return (
     <table class="weights">
       <thead>
         <tr>
-          <th scope="col" class="weights-name">Parameter</th>
+          <th scope="col" class="weights-name">
+            Parameter
+          </th>
           {FLIGHT_MODES.map((mode) => (
             <th key={mode.key} scope="col" class="weights-mode" data-mode={mode.key}>
-              <span class="mode-letter" data-mode={mode.key}>{mode.letter}</span> {mode.name}
+              <ModeLetter mode={mode} /> {mode.name}
             </th>
           ))}
         </tr>
@@ -63,7 +83,11 @@ export function ModeTable() {
               </th>
               {FLIGHT_MODES.map((mode) => (
                 <td key={mode.key} data-mode={mode.key}>
-                  <NumberField path={`${mode.key}.${row.key}`} name={`${mode.name}: ${row.name}`} integer={row.integer} />
+                  <NumberField
+                    path={`${mode.key}.${row.key}`}
+                    name={`${mode.name}: ${row.name}`}
+                    integer={row.integer}
+                  />
                 </td>
               ))}
             </tr>

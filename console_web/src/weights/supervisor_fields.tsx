@@ -1,5 +1,6 @@
 // When modes switch, how detection is filtered, and which bumpless mechanisms act.
 import { NumberField, SwitchField } from "./field";
+import "./supervisor_fields.css";
 
 interface Entry {
   key: string;
@@ -19,15 +20,33 @@ const RANGES: Entry[] = [
 const COUNTS: Entry[] = [
   { key: "dwell_cycles", name: "Shortest stay in a mode", about: "N_dwell", unit: "cycles", integer: true },
   { key: "detection_hits", name: "Detections needed", about: "M", unit: "frames", integer: true },
-  { key: "detection_window", name: "Out of the last", about: "N; 1 of 1 switches the filter off", unit: "frames", integer: true },
-  { key: "detection_hold_cycles", name: "Detection held for", about: "after the last hit", unit: "frames", integer: true },
+  {
+    key: "detection_window",
+    name: "Out of the last",
+    about: "N; 1 of 1 switches the filter off",
+    unit: "frames",
+    integer: true,
+  },
+  {
+    key: "detection_hold_cycles",
+    name: "Detection held for",
+    about: "after the last hit",
+    unit: "frames",
+    integer: true,
+  },
 ];
 
 /** "d_RH^L" with its index low and its bound high. */
-function Symbol({ text }: { text: string }) {
+function Letters({ text }: { text: string }) {
   const match = /^([A-Za-z])_(\w+?)(?:\^(\w))?$/.exec(text);
   if (!match) return <>{text}</>;
-  return <><i>{match[1]}</i><sub>{match[2]}</sub>{match[3] && <sup>{match[3]}</sup>}</>;
+  return (
+    <>
+      <i>{match[1]}</i>
+      <sub>{match[2]}</sub>
+      {match[3] && <sup>{match[3]}</sup>}
+    </>
+  );
 }
 
 function Entries({ entries }: { entries: Entry[] }) {
@@ -35,7 +54,12 @@ function Entries({ entries }: { entries: Entry[] }) {
     <div class="entries">
       {entries.map(({ key, name, about, unit, integer }) => (
         <div key={key} class="entry">
-          <span class="entry-name">{name} <span class="muted"><Symbol text={about} /></span></span>
+          <span class="entry-name">
+            {name}{" "}
+            <span class="muted">
+              <Letters text={about} />
+            </span>
+          </span>
           <NumberField path={`supervisor.${key}`} name={`${name} (${about})`} integer={integer} />
           <span class="unit">{unit}</span>
         </div>
@@ -59,8 +83,16 @@ export function BumplessFields() {
   return (
     <div class="entries">
       <SwitchField path="bumpless.ramp" name="Ramp" about="Demand, Q, R and λ blend over N_sw cycles" />
-      <SwitchField path="bumpless.integrator_alignment" name="Integrator alignment" about="Integrators are reset so that the demand continues" />
-      <SwitchField path="bumpless.warm_start_projection" name="Warm-start projection" about="The first iterate is the last command, projected onto the new bounds" />
+      <SwitchField
+        path="bumpless.integrator_alignment"
+        name="Integrator alignment"
+        about="Integrators are reset so that the demand continues"
+      />
+      <SwitchField
+        path="bumpless.warm_start_projection"
+        name="Warm-start projection"
+        about="The first iterate is the last command, projected onto the new bounds"
+      />
     </div>
   );
 }

@@ -1,12 +1,14 @@
 // Mode weights and switching rules, edited as a draft and applied in one step.
 import { useEffect } from "preact/hooks";
-import { parameterRanges, presets, vehicle } from "../api/resources";
+import { presets } from "../api/resources";
+import { Main } from "../ui/main";
 import { AgeChip, Empty, Panel } from "../ui/panel";
 import { ApplyBar } from "./apply_bar";
 import { draft } from "./draft";
 import { ModeTable } from "./mode_table";
 import { Presets } from "./presets";
 import { BumplessFields, SupervisorFields } from "./supervisor_fields";
+import "./weights_view.css";
 
 function onKey(event: KeyboardEvent): void {
   if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
@@ -24,31 +26,38 @@ export function WeightsView() {
     void presets.refresh();
     return () => removeEventListener("keydown", onKey);
   }, []);
-  parameterRanges.use();
-  vehicle.use();
-  const known = Object.keys(draft.use().active()).length > 0;
+  const known = Object.keys(draft.active.value).length > 0;
   if (!known) {
     return (
-      <main class="view" aria-label="Mode weights">
+      <Main name="Mode weights" class="view">
         <Panel title="Mode weights">
-          <Empty>The vehicle has not said what it flies with. Its parameters appear here as soon as its node speaks.</Empty>
+          <Empty>
+            The vehicle has not said what it flies with. Its parameters appear here as soon as its node
+            speaks.
+          </Empty>
         </Panel>
-      </main>
+      </Main>
     );
   }
   return (
-    <main class="view weights-view" aria-label="Mode weights">
+    <Main name="Mode weights" class="view weights-view">
       <ApplyBar />
       <div class="weights-columns">
         <Panel title="Allocation by mode" class="weights-table" aside={<AgeChip topic="tlm/parameters" />}>
           <ModeTable />
         </Panel>
         <div class="column">
-          <Panel title="Supervisor"><SupervisorFields /></Panel>
-          <Panel title="Bumpless mechanisms"><BumplessFields /></Panel>
-          <Panel title="Presets"><Presets /></Panel>
+          <Panel title="Supervisor">
+            <SupervisorFields />
+          </Panel>
+          <Panel title="Bumpless mechanisms">
+            <BumplessFields />
+          </Panel>
+          <Panel title="Presets">
+            <Presets />
+          </Panel>
         </div>
       </div>
-    </main>
+    </Main>
   );
 }

@@ -18,13 +18,14 @@ from numpy.typing import NDArray
 
 from bumpless.config.vehicle import Vehicle, load_vehicle
 from bumpless.config.vehicle.parts import Fin
+from bumpless.contract.units import WRENCH
 from bumpless.physics.hydrodynamics.coefficients import Coefficients, hull_coefficients
 from bumpless.physics.hydrodynamics.drag import fin_cross_flow_drag
 from bumpless_paper.remus.notes import Reason, reason_of
 
 PUBLISHED = Path(__file__).with_name("published.json")
 TOLERANCE = 0.05
-ROWS, RATES = "XYZKMN", "uvwpqr"
+RATES = "uvwpqr"
 Array = NDArray[np.float64]
 
 
@@ -86,7 +87,7 @@ def thesis_coefficient(vehicle: Vehicle, name: str) -> float:
     coefficients = hull_coefficients(vehicle)
     fins = [a for a in vehicle.actuators if isinstance(a, Fin)]
     rho = vehicle.environment.water_density_kgpm3
-    row, term = ROWS.index(name[0]), name[2:]
+    row, term = WRENCH.index(name[0]), name[2:]
     if term.endswith("dot"):
         return -coefficients.M_A[row, RATES.index(term[0])]
     if term.startswith("uud"):  # rudder: horizontal plane; stern plane: vertical plane, down for nose down

@@ -71,7 +71,7 @@ _ERRORS = ("surge", "sway", "depth", "roll", "pitch", "heading")
 
 def coordinate(name: str) -> str:
     """A coordinate of the linearised loop, such as plant.eta[1], in words."""
-    found = re.fullmatch(r"(plant|autopilot)\.(eta|nu|u|integral)\[(\d)\]", name)
+    found = re.fullmatch(r"(plant|autopilot)\.(?:\w+\.)?(eta|nu|u|integral)\[(\d)\]", name)
     if not found:
         return name
     k = int(found[3])

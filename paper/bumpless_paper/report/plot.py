@@ -7,13 +7,13 @@ from html import escape
 import numpy as np
 from numpy.typing import NDArray
 
+from bumpless.contract.modes import MODE_LETTERS
 from bumpless_paper.report.content import Panel, Series
 from bumpless_paper.report.ticks import decades, number, ticks
 
 WIDTH, HEIGHT = 860, 250
 LEFT, RIGHT, TOP, BOTTOM = 62, 14, 16, 40
 POINTS = 700  # kept of a curve on the page; the CSV has them all
-MODES = "FRH"
 Array = NDArray[np.float64]
 
 
@@ -40,7 +40,7 @@ def panel_svg(panel: Panel, width: int = WIDTH, height: int = HEIGHT) -> str:
         out.append(
             f'<rect class="m{mode}" x="{a:.1f}" y="{TOP}" width="{max(b - a, 0):.1f}" height="{inner_h}"/>'
         )
-        out.append(f'<text class="mode" x="{(a + b) / 2:.1f}" y="{TOP + 12}">{MODES[mode]}</text>')
+        out.append(f'<text class="mode" x="{(a + b) / 2:.1f}" y="{TOP + 12}">{MODE_LETTERS[mode]}</text>')
     for x in decades(x_low, x_high) if panel.log_x else ticks(x_low, x_high, 8):
         at = float(px(x))
         out.append(f'<path class="grid" d="M{at:.1f} {TOP}v{inner_h}"/>')

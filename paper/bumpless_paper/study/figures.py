@@ -24,11 +24,12 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from bumpless.contract.enums import FORWARD, HOVER, REVERSE
+from bumpless.contract.units import EDGE_PER_SI, WRENCH
+from bumpless.metrics.columns import Columns
 from bumpless.metrics.proposition import demand_step_violations, increment_violations
-from bumpless.metrics.run import EDGE_PER_SI, Run
 from bumpless.metrics.summary import AT_BOUND
 from bumpless.metrics.switches import WINDOW_S
-from bumpless.records import FORWARD, HOVER, REVERSE
 from bumpless.sim.twin import Result
 
 LONG_S, SHORT_S = 15.0, 1.0  # the other windows about a switch
@@ -56,21 +57,21 @@ class Bounds:
 
 def bounds_of(result: Result) -> Bounds:
     """Bounds of the vehicle that flew."""
-    actuators = result.vehicle.actuators
-    edge = np.array([EDGE_PER_SI[a.unit] for a in actuators])
+    commands = result.vehicle.commands
+    edge = np.array([EDGE_PER_SI[c.unit] for c in commands])
     return Bounds(
-        np.array([a.command_min for a in actuators]) / edge,
-        np.array([a.command_max for a in actuators]) / edge,
+        np.array([c.lower for c in commands]) / edge,
+        np.array([c.upper for c in commands]) / edge,
         edge,
-        np.array([a.kind == "fin" for a in actuators]),
-        np.array([name in result.vehicle.controllable for name in "XYZKMN"], float),
+        np.isin(np.arange(len(commands)), result.vehicle.slots("fin")),
+        np.array([name in result.vehicle.controllable for name in WRENCH], float),
     )
 
 
 def figures_of(result: Result, fault_time: float | None = None) -> Figures:
     """Every figure of a run, by name; NaN for what did not happen. Angles in rad, times in s or ms."""
     bounds, log = bounds_of(result), result.log
-    run = Run.from_log(log, len(bounds.lower))
+    run = Columns.from_log(log, len(bounds.lower))
     out: Figures = {"duration_s": float(log["time"][-1]) if len(log) else 0.0}
     residual = {
         "true": np.linalg.norm((log["tau_d"] - log["tau"]) * bounds.served, axis=1),
@@ -105,14 +106,14 @@ def rms(values: Floats) -> float:
     return float(np.sqrt(np.mean(values**2))) if len(values) else float("nan")
 
 
-def steps_of(run: Run) -> Floats:
+def steps_of(run: Columns) -> Floats:
     """(n, n_u) change of each command from the cycle before; zero in the first row."""
     steps = np.zeros_like(run.u)
     steps[1:] = np.diff(run.u, axis=0)
     return steps
 
 
-def _switch(run: Run, bounds: Bounds, name: str, before: int, after: int) -> Figures:
+def _switch(run: Columns, bounds: Bounds, name: str, before: int, after: int) -> Figures:
     """d_u in the windows about the first switch from `before` to `after`."""
     rows = np.flatnonzero((run.mode[:-1] == before) & (run.mode[1:] == after)) + 1
     kinds = ("bound", "thrust", "mixed", "1s", "15s", "limit")

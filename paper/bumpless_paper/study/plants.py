@@ -71,15 +71,16 @@ class Plant:
         """Change the records of the true plant and of the flight's truth in place."""
         c, s = np.cos(truth["target"][3]), np.sin(truth["target"][3])
         along, across = self.current_along, self.current_across
-        truth["current"][:2] += [along * c - across * s, along * s + across * c]
+        truth["environment"]["current"][:2] += [along * c - across * s, along * s + across * c]
         self._start_in_trim(truth)
-        truth["noise_scale"] *= self.noise
-        if truth["n_faults"] > 0 and self.fault_time is not None:
-            truth["fault_time"][0] = self.fault_time
-        if truth["n_faults"] > 0 and self.fault_effectiveness is not None:
-            truth["fault_effectiveness"][0] = self.fault_effectiveness
-        if truth["n_faults"] > 0 and self.fault_actuator is not None:
-            truth["fault_actuator"][0] = self.fault_actuator
+        truth["errors"]["noise_scale"] *= self.noise
+        faults = truth["faults"]
+        if faults["n"] > 0 and self.fault_time is not None:
+            faults["time"][0] = self.fault_time
+        if faults["n"] > 0 and self.fault_effectiveness is not None:
+            faults["effectiveness"][0] = self.fault_effectiveness
+        if faults["n"] > 0 and self.fault_actuator is not None:
+            faults["actuator"][0] = self.fault_actuator
         Alteration(
             net_buoyancy_n=self.net_buoyancy,
             trim_x_m=self.trim_x,

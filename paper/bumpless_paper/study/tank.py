@@ -11,12 +11,13 @@ import itertools
 import numpy as np
 from numpy.typing import NDArray
 
-from bumpless.records import FORWARD, HOVER, REVERSE
+from bumpless.contract.enums import FORWARD, HOVER, REVERSE
+from bumpless.contract.modes import MODE_LETTERS
+from bumpless.contract.units import DEG, RPM
 from bumpless.sim.twin import Result
 
 Array = NDArray[np.float64]
 RATE_HZ, WINDOW_S = 1.0, 2.0
-MODES = "FRH"
 MISSIONS = {"S1": "tank1", "S2": "tank2", "S3": "tank3"}
 GOALS = {"depth_rms_m": 0, "roll_rms_deg": 2, "pitch_rms_deg": 3, "yaw_rms_deg": 4}  # columns of `hover_row`
 
@@ -42,24 +43,20 @@ def about_mean(values: Array) -> float:
     return rms(values - values.mean())
 
 
-def _kind(run: Result, kind: str) -> list[int]:
-    return [i for i, actuator in enumerate(run.vehicle.actuators) if actuator.kind == kind]
-
-
 def per_mode(run: Result) -> dict[str, list[float]]:
     """Table A6: mode -> duration, N, depth RMS and peak-to-peak, attitude RMS, speed, commands' RMS."""
     out = {}
     for mode, stay in sorted(segments(samples(run)).items()):
-        angles = np.degrees(np.unwrap(stay["eta_hat"][:, 3:6], axis=0))
-        fins = np.degrees(stay["u"][:, _kind(run, "fin")])
-        out[MODES[mode]] = [
+        angles = DEG * np.unwrap(stay["eta_hat"][:, 3:6], axis=0)
+        fins = DEG * stay["u"][:, run.vehicle.slots("fin")]
+        out[MODE_LETTERS[mode]] = [
             float(stay["time"][-1] - stay["time"][0]) + 1.0 / RATE_HZ,
             float(len(stay)),
             about_mean(stay["eta_hat"][:, 2]),
             float(np.ptp(stay["eta_hat"][:, 2])),
             *(about_mean(angles[:, k]) for k in range(3)),
             float(stay["nu_hat"][:, 0].mean()),
-            *(rms(60.0 * stay["u"][:, i]) for i in _kind(run, "thruster")),
+            *(rms(RPM * stay["u"][:, i]) for i in run.vehicle.slots("thruster")),
             rms(fins),
         ]
     return out
@@ -72,9 +69,9 @@ def steps(run: Result, before: int, after: int) -> list[float]:
     if len(at) == 0:
         return [float("nan")] * 3
     near = rows[np.abs(rows["time"] - run.log["time"][at[-1]]) <= WINDOW_S + 0.5 / RATE_HZ]
-    screw = 60.0 * near["u"][:, _kind(run, "thruster")[0]]
-    fins = np.degrees(near["u"][:, _kind(run, "fin")])
-    roll = np.degrees(near["eta_hat"][:, 3])
+    screw = RPM * near["u"][:, run.vehicle.slots("thruster")[0]]
+    fins = DEG * near["u"][:, run.vehicle.slots("fin")]
+    roll = DEG * near["eta_hat"][:, 3]
     return [float(np.abs(np.diff(values, axis=0)).max()) for values in (screw, fins, roll)]
 
 
@@ -88,5 +85,5 @@ def about_reference(run: Result) -> list[float]:
     """RMS in H of depth (m), roll, pitch and yaw (deg) about what was asked for, every cycle."""
     stay = segments(run.log)[HOVER]
     errors = stay["reference"][:, 2:6] - stay["eta"][:, 2:6]
-    errors[:, 1:] = np.degrees((errors[:, 1:] + np.pi) % (2 * np.pi) - np.pi)
+    errors[:, 1:] = DEG * ((errors[:, 1:] + np.pi) % (2 * np.pi) - np.pi)
     return [rms(errors[:, k]) for k in range(4)]

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from bumpless_server.cli.extras import needs
+from bumpless_server.cli.extras import need
 
 if TYPE_CHECKING:
     from bumpless.campaign.prepared import Prepared
@@ -62,7 +62,7 @@ def campaign(
 
 def loaded(file: Path) -> "Prepared":
     """The campaign in `file`, or the end with what is wrong with it."""
-    needs("distributed", "jinja2", "matplotlib", "optuna", "pyarrow")
+    need("campaign", "distributed", "jinja2", "matplotlib", "optuna", "pyarrow")
     from bumpless.campaign.read import load_campaign
     from bumpless.config.problems import ProblemsError
 

@@ -5,10 +5,12 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from bumpless.contract.units import WRENCH
+
 if TYPE_CHECKING:
     from bumpless.physics.envelope import Hull
 
-FORCE, MOMENT = ("X", "Y", "Z"), ("K", "M", "N")
+FORCE, MOMENT = WRENCH[:3], WRENCH[3:]
 
 
 def envelope(

@@ -1,13 +1,12 @@
-"""What only some commands need is installed by an extra; without it they end with the word that helps."""
-
-from importlib.util import find_spec
+"""Commands that need more than a vehicle's own installation say in one sentence what to install."""
 
 import typer
 
+from bumpless.contract.extras import lack_of
 
-def needs(*packages: str) -> None:
-    """End unless all of these packages of the extra `campaign` are installed."""
-    lacking = [name for name in packages if find_spec(name) is None]
-    if lacking:
-        typer.echo(f"not installed: {', '.join(lacking)}; pip install 'bumpless[campaign]'", err=True)
+
+def need(extra: str, *modules: str) -> None:
+    """End with exit code 1 and that sentence when one of these modules is not installed."""
+    if lack := lack_of(extra, *modules):
+        typer.echo(f"bumpless: {lack}", err=True)
         raise typer.Exit(1)

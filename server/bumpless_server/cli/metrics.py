@@ -12,16 +12,15 @@ def metrics(
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON.")] = False,
 ) -> None:
     """Compute the metrics of a recorded run."""
+    import bumpless
     from bumpless.metrics import as_dict
+    from bumpless_server.cli.extras import need
     from bumpless_server.cli.tables import metrics_text
-    from bumpless_server.runs.run_metrics import metrics_of_file
 
+    need("log", "mcap")
     try:
-        found = metrics_of_file(log, log.stem)
+        found = bumpless.open_run(log).metrics
     except ValueError as error:
         typer.echo(f"{log}: {error}", err=True)
         raise typer.Exit(1) from error
-    if found is None:
-        typer.echo(f"{log}: holds no cycle of a mission, or no description of its vehicle", err=True)
-        raise typer.Exit(1)
     typer.echo(json.dumps(as_dict(found), indent=2) if as_json else metrics_text(found))

@@ -10,8 +10,11 @@ def repair(
     logs: Annotated[list[Path], typer.Argument(help="MCAP files.", exists=True, dir_okay=False)],
 ) -> None:
     """Give logs that were cut off their end back."""
-    from bumpless_server.runs.repair import repair as rebuild
-    from bumpless_server.runs.run_summary import is_whole
+    from bumpless_server.cli.extras import need
+
+    need("log", "mcap")
+    from bumpless.runs.records import is_whole
+    from bumpless.runs.repair import repair as rebuild
 
     failed = False
     for path in logs:

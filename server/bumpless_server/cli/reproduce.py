@@ -9,8 +9,6 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from bumpless_server.cli.extras import needs
-
 if TYPE_CHECKING:
     from bumpless_paper.report import Part
 
@@ -31,7 +29,9 @@ def reproduce(
 
     Exit codes: 0 done, 1 the folder cannot be written, 2 no such part.
     """
-    needs("distributed")
+    from bumpless_server.cli.extras import need
+
+    need("paper", "scipy", "distributed")
     from bumpless_paper.report.parts import PARTS, run_part, wanted_parts
     from bumpless_server.cli.progress import Progress
 

@@ -2,17 +2,17 @@
 
 import json
 import time
-from dataclasses import replace
+from dataclasses import asdict, replace
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 if TYPE_CHECKING:
-    from bumpless.campaign.plant import Alteration
-    from bumpless.config.mission import Mission
-    from bumpless.config.parameters import Parameters
-    from bumpless.config.vehicle import Vehicle
+    from bumpless import Problem, Run
+    from bumpless.campaign.replay import Replay
+    from bumpless.metrics import Columns
 
 REFUSED, BROKEN = 1, 3
 
@@ -40,88 +40,88 @@ def run(
     Exit codes: 0 flown, 1 mission or parameters refused or the log cannot be written, 2 wrong usage,
     3 the simulation broke down.
     """
-    from bumpless.config.problems import ProblemsError
+    import bumpless
+    from bumpless_server.cli.extras import need
     from bumpless_server.cli.progress import Progress
 
+    if out is not None:
+        need("log", "mcap", "foxglove_schemas_protobuf")
+    tables = _changes(changes or [])
+    if draw is not None and vehicle is not None:
+        raise typer.BadParameter("a campaign says which vehicle flies", param_hint="--vehicle")
     try:
         if draw is None:
-            flown, who, parameters = _prepare(mission, vehicle, changes or [])
-            alter = None
+            who = None if vehicle is None else bumpless.load_vehicle(vehicle)
+            flown, numbers, alter = bumpless.load_mission(mission, who), tables, None
         else:
-            flown, who, parameters, alter = _drawn(mission, draw, changes or [])
-    except ProblemsError as error:
-        typer.echo(str(error), err=True)
+            flown, who, numbers, alter = _drawn(mission, draw, tables)
+        fly = partial(bumpless.fly, vehicle=who, seed=seed, parameters=numbers, alter=alter)
+        with Progress(flown.name) as progress:
+            begin = time.perf_counter()
+            progress.watch_compiler()
+            fly(replace(flown, duration_s=1.0))  # loads what is compiled
+            ready = time.perf_counter()
+            result = fly(flown, progress=progress.update)
+            wall_s = time.perf_counter() - ready
+    except bumpless.ProblemsError as error:
+        typer.echo("\n".join(_named(problem) for problem in error.problems), err=True)
         raise typer.Exit(REFUSED) from error
-    with Progress(flown.name) as progress:
-        from bumpless.sim.twin import simulate
-
-        begin = time.perf_counter()
-        progress.watch_compiler()
-        simulate(replace(flown, duration_s=1.0), who, parameters, seed)  # compiled code is loaded by this
-        ready = time.perf_counter()
-        result = simulate(flown, who, parameters, seed, progress.update, alter)
-        wall_s = time.perf_counter() - ready
-    from bumpless.metrics import Run, as_dict, metrics_of
-    from bumpless_server.cli.run_log import identity, write_log
-
-    metrics = metrics_of(Run.from_log(result.log, len(who.actuators)), who)
-    info = identity(result)
-    metrics.run_id = info["run_id"]
-    summary: dict[str, Any] = {
-        **info,
-        "seed": result.seed,
-        "simulated_s": metrics.duration_s,
-        "wall_s": wall_s,
-        "real_time_factor": metrics.duration_s / wall_s,
-        "load_s": ready - begin,
-        "log": None if out is None else str(out),
-    }
     if out is not None:
-        try:
-            with Progress(f"writing {out.name}") as progress:
-                write_log(out, result, info, metrics, progress.update)
-        except OSError as error:
-            typer.echo(f"{out}: {error.strerror or error}", err=True)
-            raise typer.Exit(REFUSED) from error
-    typer.echo(
-        json.dumps({**summary, "metrics": as_dict(metrics)}, indent=2) if as_json else _text(summary, metrics)
-    )
-    if not _finite(result.log):
+        _save(result, out)
+    summary = _summary(result, wall_s, ready - begin, out)
+    typer.echo(json.dumps(summary, indent=2) if as_json else _text(result, summary))
+    if not _finite(result.columns):
         typer.echo("the simulation broke down: a state is not finite", err=True)
         raise typer.Exit(BROKEN)
 
 
-def _prepare(path: Path, vehicle: str | None, changes: list[str]) -> "tuple[Mission, Vehicle, Parameters]":
-    """The mission, its vehicle and parameters; raises ProblemsError."""
-    from bumpless.config.mission import MissionError, parse_mission
-    from bumpless.config.parameters import ParameterError, check, default_parameters, with_overrides
-    from bumpless.config.problems import Problem
-    from bumpless.config.vehicle import load_vehicle
-
-    chosen = None if vehicle is None else load_vehicle(vehicle)
-    try:
-        text = path.read_bytes().decode()
-    except UnicodeDecodeError as error:
-        raise MissionError([Problem(str(path), None, None, "", None, "is not UTF-8 text")]) from error
-    mission = parse_mission(text, str(path), chosen, any_vehicle=True)
-    flown_by = chosen or load_vehicle(mission.vehicle)
-    parameters = with_overrides(default_parameters(flown_by), mission.parameters)
-    try:
-        parameters = with_overrides(parameters, _changes(changes))
-    except ParameterError as error:
-        raise ParameterError([replace(problem, file="--set") for problem in error.problems]) from error
-    problems = check(parameters, flown_by, "--set")
-    if problems:
-        raise ParameterError(problems)
-    return replace(mission, source=path.name), flown_by, parameters
-
-
-def _drawn(path: Path, number: int, changes: list[str]) -> "tuple[Mission, Vehicle, Parameters, Alteration]":
-    """The same for a campaign's flight, and what is true of its plant; raises ProblemsError."""
+def _drawn(path: Path, number: int, changes: dict[str, dict[str, Any]]) -> "Replay":
+    """A campaign's flight, with what is true of its plant; raises ProblemsError."""
     from bumpless.campaign.read import load_campaign
     from bumpless.campaign.replay import replayed
+    from bumpless.config.parameters import ParameterError
 
-    return replayed(load_campaign(path).with_parameters(_changes(changes)), number)
+    prepared = load_campaign(path)
+    try:
+        return replayed(prepared.with_parameters(changes), number)
+    except ParameterError as error:
+        raise ParameterError([replace(problem, file="--set") for problem in error.problems]) from error
+
+
+def _save(result: "Run", out: Path) -> None:
+    """Write the log, Foxglove's views with it."""
+    from bumpless_server.cli.progress import Progress
+    from bumpless_server.views.foxglove import Foxglove
+
+    try:
+        with Progress(f"writing {out.name}") as progress:
+            result.save(out, [Foxglove()], progress.update)
+    except OSError as error:
+        typer.echo(f"{out}: {error.strerror or error}", err=True)
+        raise typer.Exit(REFUSED) from error
+
+
+def _summary(result: "Run", wall_s: float, load_s: float, out: Path | None) -> dict[str, Any]:
+    from bumpless.metrics import as_dict
+
+    metrics = result.metrics
+    return {
+        **asdict(result.info),
+        "simulated_s": metrics.duration_s,
+        "wall_s": wall_s,
+        "real_time_factor": metrics.duration_s / wall_s,
+        "load_s": load_s,
+        "log": None if out is None else str(out),
+        "outcome": result.outcome.as_dict(),
+        "metrics": as_dict(metrics),
+    }
+
+
+def _named(problem: "Problem") -> str:
+    """A problem of given parameters names the option that gave them."""
+    from bumpless.runs.flight import GIVEN
+
+    return str(replace(problem, file="--set") if problem.file == GIVEN else problem)
 
 
 def _changes(changes: list[str]) -> dict[str, dict[str, Any]]:
@@ -140,13 +140,13 @@ def _changes(changes: list[str]) -> dict[str, dict[str, Any]]:
     return tables
 
 
-def _finite(log: Any) -> bool:
+def _finite(columns: "Columns") -> bool:
     import numpy as np
 
-    return all(bool(np.isfinite(log[name]).all()) for name in ("eta", "nu", "u", "tau_d"))
+    return all(np.isfinite(values).all() for values in (columns.eta, columns.nu, columns.u, columns.tau_d))
 
 
-def _text(summary: dict[str, Any], metrics: Any) -> str:
+def _text(result: "Run", summary: dict[str, Any]) -> str:
     from bumpless_server.cli.tables import metrics_text
 
     head = (
@@ -154,5 +154,6 @@ def _text(summary: dict[str, Any], metrics: Any) -> str:
         f"{summary['simulated_s']:.1f} s flown in {summary['wall_s']:.3f} s, "
         f"{summary['real_time_factor']:.0f} times real time"
     )
+    outcome = f"{result.outcome.ending}: {result.outcome.reason}"
     tail = f"\n\nlog: {summary['log']}" if summary["log"] else ""
-    return f"{head}\n\n{metrics_text(metrics)}{tail}"
+    return f"{head}\n{outcome}\n\n{metrics_text(result.metrics)}{tail}"

@@ -27,6 +27,9 @@ def serve(
 
     Each option is also a setting BUMPLESS_<NAME> of the environment, such as BUMPLESS_PORT.
     """
+    from bumpless_server.cli.extras import need
+
+    need("console", "pydantic_settings", "fastapi", "uvicorn", "viser", "mcap")
     from bumpless_server.settings import SettingsError, load_settings
 
     given = {

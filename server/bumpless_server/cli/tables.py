@@ -6,8 +6,6 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from bumpless.contract import bumpless_pb2 as pb
 
-MODES = {1: "F", 2: "R", 3: "H"}
-
 
 def table(head: list[str], rows: list[list[str]]) -> str:
     """Columns aligned: the first to the left, the others to the right."""
@@ -56,9 +54,11 @@ def _times(m: "pb.Metrics") -> str:
 
 
 def _switches(m: "pb.Metrics") -> str:
+    from bumpless.contract.modes import LOOKS
+
     rows = [
         [
-            f"{MODES[s.from_mode]}→{MODES[s.to_mode]}",
+            f"{LOOKS[s.from_mode].letter}→{LOOKS[s.to_mode].letter}",
             f"{s.time_s:.2f}",
             number(s.command_step_normalised),
             number(s.command_step_raw),
@@ -69,9 +69,11 @@ def _switches(m: "pb.Metrics") -> str:
 
 
 def _modes(m: "pb.Metrics") -> str:
+    from bumpless.contract.modes import LOOKS
+
     rows = [
         [
-            MODES[mode.mode],
+            LOOKS[mode.mode].letter,
             f"{mode.duration_s:.2f}",
             number(mode.surge_speed_mean_mps, 3),
             number(mode.depth_rms_m, 3),

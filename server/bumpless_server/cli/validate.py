@@ -11,9 +11,7 @@ if TYPE_CHECKING:
 
 
 def validate(
-    files: Annotated[
-        list[Path] | None, typer.Argument(help="Mission files.", exists=True, dir_okay=False, readable=True)
-    ] = None,
+    files: Annotated[list[Path] | None, typer.Argument(help="Mission files.")] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print the result as JSON.")] = False,
     stability: Annotated[
         bool,
@@ -28,9 +26,10 @@ def validate(
     Every fault is one line: file:line:column: field = value; rule. With --stability, a dwell time that no
     Lyapunov function proves long enough is a warning.
 
-    Exit code 1 when a file has a fault.
+    Exit code 1 when a file has a fault or can't be read; the others are answered all the same.
     """
     from bumpless.config.mission import MissionError, mission_json_schema, parse_mission
+    from bumpless.config.problems import Problem
 
     if schema:
         typer.echo(json.dumps(mission_json_schema(), indent=2, ensure_ascii=False))
@@ -42,13 +41,13 @@ def validate(
     for path in files:
         problems, warnings = (), []
         try:
-            mission = parse_mission(path.read_bytes().decode(), str(path))
+            mission = parse_mission(path.read_bytes(), str(path))
             warnings = _warnings(mission) if stability else []
         except MissionError as error:
             problems = error.problems
-        except UnicodeDecodeError:
-            typer.echo(f"{path}: is not UTF-8 text", err=True)
-            raise typer.Exit(1) from None
+        except OSError as error:
+            reason = f"cannot be read: {error.strerror or error}"
+            problems = (Problem(str(path), None, None, "", None, reason),)
         found = {"ok": not problems, "problems": [p.as_dict() for p in problems], "warnings": warnings}
         results.append({"file": str(path), **found})
         if not as_json:

@@ -9,12 +9,11 @@ from google.protobuf.message import DecodeError, Message
 
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract import keys
+from bumpless.contract.session import session_config
 from bumpless_server.live.sample import Sample
 
 log = logging.getLogger(__name__)
 
-LEASE_MS = 1000  # a frozen vehicle is noticed within this time
-STALLED_PEER_US = 200_000  # how long a put may wait for a peer that does not read
 MAX_PAYLOAD_BYTES = 4_000_000
 
 
@@ -24,26 +23,6 @@ class BusError(RuntimeError):
 
 class NoAnswer(RuntimeError):
     """A command reached no vehicle, or the vehicle did not answer in time."""
-
-
-def session_config(listen: tuple[str, ...], connect: tuple[str, ...]) -> zenoh.Config:
-    """A peer with explicit endpoints only: no multicast, no shared memory, quick to notice a loss."""
-    import json
-
-    config = zenoh.Config()
-    for key, value in {
-        "mode": "peer",
-        "listen/endpoints": list(listen),
-        "connect/endpoints": list(connect),
-        "scouting/multicast/enabled": False,
-        "transport/shared_memory/enabled": False,
-        "transport/link/tx/lease": LEASE_MS,
-        "transport/link/tx/queue/congestion_control/block/wait_before_close": STALLED_PEER_US,
-        "timestamping/enabled": False,
-        "adminspace/enabled": True,  # by it a vehicle's node knows when it is linked with every other
-    }.items():
-        config.insert_json5(key, json.dumps(value))
-    return config
 
 
 class Bus:
@@ -68,7 +47,7 @@ class Bus:
     def open(self) -> None:
         """Open the session and subscribe. Raises BusError with one line for the operator."""
         try:
-            session = zenoh.open(session_config(self._listen, self._connect))
+            session = zenoh.open(session_config("peer", self._connect, self._listen))
         except zenoh.ZError as error:
             raise BusError(
                 f"cannot open the bus on {', '.join(self._listen) or 'no endpoint'}: {error}"

@@ -3,18 +3,13 @@
 import time
 from dataclasses import dataclass, field
 
-from google.protobuf.message import DecodeError, Message
+from google.protobuf.message import Message
 
-from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract import keys
+from bumpless.contract.messages import decoded
 
 EVENT = "event"
 STATUS = "server/status"
-
-# full message name -> class, for every message of the contract
-MESSAGES: dict[str, type[Message]] = {
-    kind.full_name: getattr(pb, name) for name, kind in pb.DESCRIPTOR.message_types_by_name.items()
-}
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,31 +24,7 @@ class Sample:
 
     def decode(self) -> Message | None:
         """The message, or None when the bytes or the schema are not of this contract."""
-        kind = MESSAGES.get(self.schema)
-        if kind is None:
-            return None
-        message = kind()
-        try:
-            message.ParseFromString(self.payload)
-        except DecodeError:
-            return None
-        return message
-
-
-def stamp_of(payload: bytes) -> pb.Stamp | None:
-    """The leading Stamp of a telemetry message or event, without decoding the rest.
-
-    Every such message has it as field 1, which serialisers write first: tag 0x0a, a length of one
-    byte (a Stamp has at most 31), then the Stamp. None when the payload does not begin so.
-    """
-    if len(payload) < 2 or payload[0] != 0x0A or payload[1] > 0x7F or len(payload) < 2 + payload[1]:
-        return None
-    stamp = pb.Stamp()
-    try:
-        stamp.ParseFromString(payload[2 : 2 + payload[1]])
-    except DecodeError:
-        return None
-    return stamp
+        return decoded(self.schema, self.payload)
 
 
 def telemetry_topic(name: str) -> str:

@@ -2,9 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from datetime import UTC, datetime
 from pathlib import Path
-from typing import Any
 
 from bumpless.config.mission import Mission, MissionError, missions_folder, parse_mission
 from bumpless.config.problems import Problem
@@ -29,41 +27,6 @@ class MissionFile:
     text: str
     mission: Mission | None
     problems: tuple[Problem, ...] = ()
-
-    def as_dict(self, with_text: bool = False) -> dict[str, Any]:
-        """For JSON."""
-        mission = self.mission
-        told: dict[str, Any] = {
-            "name": self.name,
-            "file": self.path.name,
-            "title": (mission.title or mission.name) if mission else self.name,
-            "summary": mission.summary if mission else "",
-            "vehicle": mission.vehicle if mission else "",
-            "duration_s": mission.duration_s if mission else None,
-            "seed": mission.seed if mission else None,
-            "sha256": mission.sha256 if mission else "",
-            "builtin": self.builtin,
-            "valid": mission is not None,
-            "problems": [problem.as_dict() for problem in self.problems],
-            "modified": datetime.fromtimestamp(self.path.stat().st_mtime, UTC).isoformat(timespec="seconds"),
-        }
-        return told | {"yaml": self.text} | _plan(mission) if with_text else told
-
-
-def _plan(mission: Mission | None) -> dict[str, Any]:
-    """What a sketch of the plan needs; NED, metres, the start first."""
-    if mission is None:
-        return {}
-    target = mission.target
-    return {
-        "path_ned_m": mission.path_ned_m,
-        "target": {
-            "position_ned_m": target.position_ned_m,
-            "heading_deg": target.heading_deg,
-            "observation_point_ned_m": target.observation_point_ned_m,
-        },
-        "current_ned_mps": mission.environment.current_ned_mps,
-    }
 
 
 class Missions:
@@ -103,17 +66,17 @@ class Missions:
             return None
         return next((file for file in self.all() if file.name == name), None)
 
-    def save(self, name: str, text: str, replace: bool) -> MissionFile:
-        """Check an uploaded mission and keep it. Raises BadName, MissionError or MissionExists."""
+    def save(self, name: str, data: bytes, replace: bool) -> MissionFile:
+        """Check an uploaded mission and keep its bytes. Raises BadName, MissionError or MissionExists."""
         name = checked_name(name, *ENDINGS)
-        _parse(text, f"{name}.yaml", self._vehicle())
+        _parse(data, f"{name}.yaml", self._vehicle())
         present = self.get(name)
         if present is not None and present.builtin:
             raise MissionExists(f"{name} is a built-in mission; give yours another name")
         if present is not None and not replace:
             raise MissionExists(f"there is a mission {name} already")
         path = self._uploads / f"{name}.yaml"
-        write_whole(path, text.encode())
+        write_whole(path, data)
         if present is not None and present.path != path:
             present.path.unlink(missing_ok=True)
         return self._load(path)
@@ -137,8 +100,9 @@ class Missions:
         builtin = path.parent == self._builtin
         text = ""
         try:
-            text = path.read_text(encoding="utf-8", errors="replace")
-            file = MissionFile(path.stem, path, builtin, text, _parse(text, path.name, vehicle))
+            data = path.read_bytes()
+            text = data.decode("utf-8", errors="replace")
+            file = MissionFile(path.stem, path, builtin, text, _parse(data, path.name, vehicle))
         except MissionError as error:
             file = MissionFile(path.stem, path, builtin, text, None, error.problems)
         except OSError as error:
@@ -148,12 +112,12 @@ class Missions:
         return file
 
 
-def _parse(text: str, source: str, present: Vehicle | None) -> Mission:
+def _parse(data: bytes, source: str, present: Vehicle | None) -> Mission:
     """Check a mission against the vehicle file of the name it asks for, or the present vehicle's own."""
     try:
-        return parse_mission(text, source)
+        return parse_mission(data, source)
     except MissionError as error:
-        unknown = any(one.field == "vehicle" for one in error.problems)
-        if present is None or not unknown or present.id not in text:
+        unknown = [one.value for one in error.problems if one.field == "vehicle"]
+        if present is None or present.id not in unknown:
             raise
-        return parse_mission(text, source, present)
+        return parse_mission(data, source, present)

@@ -14,9 +14,13 @@ from dataclasses import asdict, dataclass, fields, replace
 from pathlib import Path
 from typing import Any
 
+import bumpless
 from bumpless.metrics import as_dict
-from bumpless_server.runs.run_file import figures_of
-from bumpless_server.runs.run_summary import CUT_OFF, RunSummary, is_whole, summarise
+from bumpless.runs.names import CUT_OFF, ENDING
+from bumpless.runs.records import is_whole
+from bumpless.runs.repair import repair
+from bumpless.runs.run import NoFigures
+from bumpless.runs.summary import RunSummary, summarise
 
 log = logging.getLogger(__name__)
 
@@ -77,7 +81,7 @@ class Catalogue:
                 row["id"]: (row["bytes"], row["modified_ns"]) for row in self._rows("SELECT * FROM runs")
             }
         present = set()
-        for path in sorted(self._folder.glob("*.mcap")):
+        for path in sorted(self._folder.glob(f"*{ENDING}")):
             present.add(path.stem)
             if path == busy():
                 continue
@@ -96,8 +100,7 @@ class Catalogue:
         found = path.stat()
         summary = summarise(path)
         if summary.metrics is None and summary.end_reason == CUT_OFF:
-            figures = figures_of(path, summary.run_id)
-            summary = replace(summary, metrics=as_dict(figures) if figures is not None else None)
+            summary = replace(summary, metrics=_metrics(path))
         values = asdict(summary) | {"bytes": found.st_size, "modified_ns": found.st_mtime_ns}
         values["metrics"] = json.dumps(summary.metrics) if summary.metrics is not None else None
         names = ", ".join(values)
@@ -118,7 +121,7 @@ class Catalogue:
 
     def path(self, run: str) -> Path | None:
         """The file of a run, finished or not; None when there is none of that name."""
-        path = self._folder / f"{run}.mcap"
+        path = self._folder / f"{run}{ENDING}"
         return path if path.parent == self._folder and path.is_file() else None
 
     def delete(self, run: str) -> bool:
@@ -164,9 +167,18 @@ def _row(row: sqlite3.Row) -> Row:
     return Row(RunSummary(**values), row["bytes"], row["modified_ns"])
 
 
-def _repaired(path: Path) -> bool:
-    from bumpless_server.runs.writer import repair
+def _metrics(path: Path) -> dict[str, Any] | None:
+    """Figures of a run that lost its end; None without. It is worth listing without them."""
+    try:
+        return as_dict(bumpless.open_run(path).metrics)
+    except NoFigures:
+        return None
+    except Exception:
+        log.exception("the metrics of %s could not be computed", path)
+        return None
 
+
+def _repaired(path: Path) -> bool:
     try:
         repair(path)
     except Exception:

@@ -8,6 +8,8 @@ import shutil
 from collections.abc import Callable
 from pathlib import Path
 
+from bumpless.runs.names import ENDING
+
 Prune = Callable[[], bool]  # deletes the oldest complete run; False when there is none
 
 
@@ -35,7 +37,7 @@ class DiskBudget:
         return ""
 
     def _taken(self) -> int:
-        return sum(path.stat().st_size for path in self._folder.glob("*.mcap"))
+        return sum(path.stat().st_size for path in self._folder.glob(f"*{ENDING}"))
 
 
 def _mb(count: int) -> str:

@@ -8,16 +8,21 @@ written to, and one that fails is tried again after longer and longer pauses; th
 import logging
 import time
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from bumpless.contract import bumpless_pb2 as pb
+from bumpless.contract.enums import FLYING
+from bumpless.contract.messages import stamp_of
+from bumpless.contract.names import RUN
+from bumpless.runs.info import ending_of
+from bumpless.runs.names import COMPLETE, CONTEXT, DESCRIPTION, ENDING, EVENT, INTERRUPTED, MISSION, PLAN
+from bumpless.runs.view import View
+from bumpless.runs.writer import RunWriter
 from bumpless_server.live.boxes import BoundedQueue
-from bumpless_server.live.sample import EVENT, Sample, stamp_of
+from bumpless_server.live.sample import Sample
 from bumpless_server.live.worker import Worker
 from bumpless_server.runs.disk_budget import DiskBudget
-from bumpless_server.runs.run_file import RunFile
-from bumpless_server.runs.run_summary import COMPLETE, INTERRUPTED
 
 log = logging.getLogger(__name__)
 
@@ -26,10 +31,6 @@ PRE_ROLL = 1000  # messages kept while idle: a run's first cycles may precede it
 SETTLE_S = 0.5  # after the end, for the rest of the last cycle
 RETRY_S = 5.0  # after a disk without room, and the first time after a failing one
 MAX_RETRY_S = 300.0  # each try may leave a part of the run behind: twice as long each time, up to this
-MISSION = "tlm/mission"
-CONTEXT = ("tlm/description", "tlm/parameters", "tlm/plan")
-_ACTIVE = (pb.MISSION_PHASE_RUNNING, pb.MISSION_PHASE_PAUSED)
-_REASONS = {pb.MISSION_PHASE_COMPLETED: "completed", pb.MISSION_PHASE_ABORTED: "aborted"}
 
 Say = Callable[[pb.Severity, str, str, dict[str, str]], None]
 
@@ -39,19 +40,22 @@ class _LinkLost:
 
 
 class Recorder:
-    """Writes runs into `folder`. `closed(path)` is called after each file's end, on this thread."""
+    """Writes runs into `folder`. `closed(path)` is called after each file's end, on this thread.
+
+    `views()` makes the converters for one run.
+    """
 
     def __init__(
         self,
         folder: Path,
-        version: str,
         say: Say,
         closed: Callable[[Path], None],
+        views: Callable[[], Sequence[View]] = tuple,
         queue_messages: int = 20_000,
         queue_bytes: int = 64_000_000,
         budget: DiskBudget | None = None,
     ) -> None:
-        self._folder, self._version, self._say, self._closed = folder, version, say, closed
+        self._folder, self._say, self._closed, self._views = folder, say, closed, views
         self._queue: BoundedQueue[Sample | _LinkLost] = BoundedQueue(
             queue_messages,
             queue_bytes,
@@ -60,7 +64,7 @@ class Recorder:
         )
         self._context: dict[str, Sample] = {}
         self._recent: deque[Sample] = deque(maxlen=PRE_ROLL)
-        self._run: RunFile | None = None
+        self._run: RunWriter | None = None
         self._dropped_before = 0
         self._end: tuple[pb.MissionStatus, float] | None = None  # last status and when to close
         self._flush_at = 0.0
@@ -98,7 +102,7 @@ class Recorder:
         self._queue.put(_LinkLost())
 
     @property
-    def recording(self) -> RunFile | None:
+    def recording(self) -> RunWriter | None:
         """The run being written now; read its id, path and flushed_bytes only."""
         return self._run
 
@@ -129,7 +133,8 @@ class Recorder:
             self._complain("recorder_failed", self._tried)
             if run is not None:
                 run.abandon()
-                self._closed(run.path)
+                if run.path.exists():
+                    self._closed(run.path)
             self._run = None
 
     def _complain(self, code: str, run_id: str) -> None:
@@ -182,12 +187,12 @@ class Recorder:
         if isinstance(status, pb.MissionStatus) and self._on_status(status):
             return
         if self._run is not None:
-            self._run.write(item)
+            self._write(item)
 
     def _on_status(self, status: pb.MissionStatus) -> bool:
         """Begin or end a file as the vehicle says; True when the status itself was written by that."""
         run = self._run
-        if status.phase in _ACTIVE and status.run_id:
+        if status.phase in FLYING and status.run_id:
             if run is not None and run.run_id == status.run_id:
                 run.status = status
                 return False
@@ -208,15 +213,25 @@ class Recorder:
 
     def _begin(self, status: pb.MissionStatus) -> None:
         self._dropped_before = self._queue.dropped
-        self._run = run = RunFile(self._folder, status, dict(self._context), self._version)
+        name = free_id(self._folder, status.run_id)
+        self._run = run = RunWriter(self._folder / f"{name}{ENDING}", status, name, self._views())
+        began_ns = status.stamp.time_ns - round(status.elapsed_s * 1e9)
+        for sample in self._context.values():
+            if not _is_other_plan(sample, status):
+                self._write(sample, max(sample.receive_ns, began_ns))
         for sample in self._recent:
             if sample.topic not in CONTEXT and self._belongs(sample, status):
-                run.write(sample)
+                self._write(sample)
         self._flush_at = time.monotonic() + FLUSH_S
         if any(told == status.run_id for _, told in self._told):
             what = f"Run {status.run_id} is being recorded again, as {run.id}"
             self._say(pb.SEVERITY_INFO, "recording_again", what, {"run": run.id})
         log.info("recording %s", run.path)
+
+    def _write(self, sample: Sample, log_ns: int | None = None) -> None:
+        assert self._run is not None
+        at = sample.receive_ns if log_ns is None else log_ns
+        self._run.write(sample.topic, sample.schema, sample.payload, at)
 
     def _belongs(self, sample: Sample, status: pb.MissionStatus) -> bool:
         """Was this said in a cycle of the mission whose first heard status is `status`?"""
@@ -229,9 +244,7 @@ class Recorder:
     def _finish_ended(self) -> None:
         if self._end is None:
             return
-        status = self._end[0]
-        state = COMPLETE if status.phase in _REASONS else INTERRUPTED
-        self._finish(state, status.end_reason or _REASONS.get(status.phase, "the vehicle is idle"))
+        self._finish(*ending_of(self._end[0]))
 
     def _finish(self, state: str, reason: str) -> None:
         run, self._end = self._run, None
@@ -248,10 +261,24 @@ class Recorder:
         log.info("closed %s (%s: %s)", run.path, state, reason)
 
     def _period_s(self) -> float:
-        description = self._context.get("tlm/description")
+        description = self._context.get(DESCRIPTION)
         message = description.decode() if description else None
         period = message.control_period_s if isinstance(message, pb.VehicleDescription) else 0.0
         return period or 0.05
+
+
+def free_id(folder: Path, run_id: str) -> str:
+    """`run_id`, or `run_id.2`, `.3` ... when an earlier part of the same run is there already."""
+    name, part = RUN.check(run_id, "run id"), 1
+    while (folder / f"{name}{ENDING}").exists():
+        part += 1
+        name = f"{run_id}.{part}"
+    return name
+
+
+def _is_other_plan(sample: Sample, status: pb.MissionStatus) -> bool:
+    plan = sample.decode() if sample.topic == PLAN else None
+    return isinstance(plan, pb.Plan) and plan.sha256 != status.mission_sha256
 
 
 def _cycle(sample: Sample) -> int:

@@ -1,12 +1,23 @@
 """Colours of the scene, the console's own: mid tones that read on a dark and on a light background."""
 
-from bumpless.contract import bumpless_pb2 as pb
+from bumpless.contract.modes import MODES
 
 Rgb = tuple[int, int, int]
 
-FORWARD: Rgb = (59, 130, 246)  # #3b82f6
-REVERSE: Rgb = (245, 158, 11)  # #f59e0b
-HOVER: Rgb = (16, 185, 129)  # #10b981
+
+def _rgb(colour: str) -> Rgb:
+    """The parts of "#rrggbb"."""
+    red, green, blue = bytes.fromhex(colour[1:])
+    return red, green, blue
+
+
+def css(rgb: Rgb) -> str:
+    """A colour as style sheets write it, "#rrggbb"."""
+    return "#" + bytes(rgb).hex()
+
+
+MODE_COLOUR: dict[int, Rgb] = {look.mode: _rgb(look.colour) for look in MODES}
+FORWARD, REVERSE, HOVER = (_rgb(look.colour) for look in MODES)
 IDLE: Rgb = (148, 163, 184)
 STALE: Rgb = (120, 124, 130)
 
@@ -30,16 +41,14 @@ AXIS_NORTH: Rgb = (220, 68, 68)
 AXIS_EAST: Rgb = (46, 160, 90)
 AXIS_DOWN: Rgb = (70, 120, 230)
 
-MODE_COLOUR: dict[int, Rgb] = {
-    pb.MODE_FORWARD: FORWARD,
-    pb.MODE_REVERSE: REVERSE,
-    pb.MODE_HOVER: HOVER,
-}
-MODE_NAME: dict[int, str] = {
-    pb.MODE_FORWARD: "F · Forward",
-    pb.MODE_REVERSE: "R · Reverse",
-    pb.MODE_HOVER: "H · Hover",
-}
+# What the page's legend explains, in this order.
+LEGEND: tuple[tuple[Rgb, str], ...] = (
+    (DEMANDED, "τ_d demanded"),
+    (ACHIEVED, "τ_c achieved"),
+    (RESIDUAL, "residual"),
+    *((_rgb(look.colour), f"{look.letter} {look.name.lower()}") for look in MODES),
+    (PATH, "planned path"),
+)
 
 
 def vertex_colour(rgb: Rgb) -> Rgb:

@@ -10,10 +10,11 @@ from bumpless.contract import bumpless_pb2 as pb
 Quaternion = tuple[float, float, float, float]
 
 
-def about(axis: npt.ArrayLike, angle_rad: float) -> Quaternion:
+def about(axis: tuple[float, float, float], angle_rad: float) -> Quaternion:
     """Quaternion of a turn about a unit axis, right-handed."""
-    a = np.asarray(axis, float) * sin(angle_rad / 2.0)
-    return (cos(angle_rad / 2.0), float(a[0]), float(a[1]), float(a[2]))
+    x, y, z = axis
+    s = sin(angle_rad / 2.0)
+    return (cos(angle_rad / 2.0), x * s, y * s, z * s)
 
 
 def multiply(p: Quaternion, q: Quaternion) -> Quaternion:

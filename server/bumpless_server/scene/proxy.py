@@ -29,6 +29,13 @@ class CameraRequest(BaseModel):
     view: View
 
 
+class CameraAnswer(BaseModel):
+    """How many of the caller's browsers moved."""
+
+    view: View
+    viewers: int
+
+
 class Proxy:
     """Routes of the scene. `session_of(request)` gives the caller's valid session or None."""
 
@@ -52,13 +59,13 @@ class Proxy:
         }
         return HTMLResponse(await asyncio.to_thread(page_html), headers=headers)
 
-    async def camera(self, request: Request, body: CameraRequest) -> dict[str, object]:
+    async def camera(self, request: Request, body: CameraRequest) -> CameraAnswer:
         """Move the caller's own cameras to a preset; says how many browsers moved."""
         session = self.session_of(request)
         if session is None or not same_origin(request):
             raise HTTPException(403, "only the console's own page may move its camera")
         moved = await asyncio.to_thread(self.set_view, session, body.view)
-        return {"view": body.view, "viewers": moved}
+        return CameraAnswer(view=body.view, viewers=moved)
 
     async def socket(self, outer: WebSocket) -> None:
         """Carry frames both ways between the browser and viser."""

@@ -11,7 +11,6 @@ from bumpless_server.scene.attainable import AttainableSets, Sets, sets_of
 from bumpless_server.scene.cameras import Cameras
 from bumpless_server.scene.proxy import Proxy
 from bumpless_server.scene.trail import Track
-from bumpless_server.web.auth import COOKIE
 
 log = logging.getLogger(__name__)
 
@@ -23,28 +22,21 @@ def parse(text: str) -> Any:
     return parse_vehicle(text, "description")
 
 
-def session_cookie(request: Request | WebSocket) -> str | None:
-    """The session a request carries, None without one."""
-    return request.cookies.get(COOKIE)
-
-
 class Scene:
     """viser behind our origin, fed from `state`.
 
-    `session_of(request)` gives the session of a request or websocket, or None to refuse it; by default the
-    session cookie, which `bumpless_server.web.guard` has checked before any route sees it.
+    `session_of(request)` gives the session of a request or websocket, or None to refuse it.
     `light` draws fewer polygons, for browsers without a GPU.
     """
 
     def __init__(
         self,
         state: Any,
-        settings: Any = None,
-        session_of: Callable[[Request | WebSocket], str | None] = session_cookie,
+        session_of: Callable[[Request | WebSocket], str | None],
         light: bool = False,
         make_sets: Callable[[Any], Callable[[float], Sets]] = sets_of,
     ) -> None:
-        self._state, self._settings, self._light, self._make_sets = state, settings, light, make_sets
+        self._state, self._light, self._make_sets = state, light, make_sets
         self.cameras = Cameras()
         self.proxy = Proxy(session_of, self.cameras.set_view)
         self.viser: Any = None

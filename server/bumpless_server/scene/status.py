@@ -3,7 +3,8 @@
 from math import isfinite
 
 from bumpless.contract import bumpless_pb2 as pb
-from bumpless_server.scene.palette import MODE_NAME
+from bumpless.contract.enums import FLYING
+from bumpless.contract.modes import LOOKS
 
 PHASE_NAME: dict[int, str] = {
     pb.MISSION_PHASE_IDLE: "Idle",
@@ -11,7 +12,6 @@ PHASE_NAME: dict[int, str] = {
     pb.MISSION_PHASE_COMPLETED: "Completed",
     pb.MISSION_PHASE_ABORTED: "Aborted",
 }
-FLYING = (pb.MISSION_PHASE_RUNNING, pb.MISSION_PHASE_PAUSED)
 
 
 def trail_mode(phase: int, mode: int) -> int:
@@ -31,7 +31,8 @@ def body_text(
         return f"{word} · last telemetry {age}"
     words = [PHASE_NAME[phase]] if phase in PHASE_NAME else []
     if phase in FLYING:
-        words.append(MODE_NAME.get(supervisor.mode, "no mode"))
+        look = LOOKS.get(supervisor.mode)
+        words.append(f"{look.letter} · {look.name}" if look else "no mode")
         if supervisor.kappa < 1.0:
             words[-1] += f"  κ {supervisor.kappa:.2f}"
     words.append(f"{navigation.speed_over_ground_mps:.2f} m/s · depth {navigation.depth_m:.2f} m")

@@ -14,6 +14,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from bumpless.contract import bumpless_pb2 as pb
+from bumpless.contract.exits import TAKEN
 from bumpless_server.vehicle_process.process import NodeProcess, adopt, spawn
 
 log = logging.getLogger(__name__)
@@ -21,7 +22,6 @@ log = logging.getLogger(__name__)
 HUNG_AFTER_S = 10.0  # without liveliness, though the process runs
 YOUNG_S = 10.0  # a node that dies younger is not started again at once
 BACK_OFF_S = (0.0, 1.0, 2.0, 5.0, 10.0, 30.0)
-TAKEN = 3  # exit code of a node whose vehicle id is alive already, see bumpless.node.process
 ASKED_S, TERMINATED_S = 4.0, 3.0  # patience before terminate, before kill
 
 Say = Callable[[pb.Severity, str, str, dict[str, str]], None]

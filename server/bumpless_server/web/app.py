@@ -11,12 +11,14 @@ from bumpless_server.console import Console
 from bumpless_server.scene.scene import Scene
 from bumpless_server.settings import Settings
 from bumpless_server.web import errors
-from bumpless_server.web.auth import Auth
+from bumpless_server.web.auth import Auth, session_cookie
 from bumpless_server.web.body_limit import BodyLimit
 from bumpless_server.web.guard import Guard
-from bumpless_server.web.routes import missions, page, parameters, runs, status, stream
+from bumpless_server.web.routes import declared, help, missions, page, parameters, runs, status, stream
 
 log = logging.getLogger(__name__)
+
+ROUTERS = tuple(part.router for part in (status, missions, parameters, declared, runs, stream))
 
 
 def create_app(settings: Settings, console: Console | None = None) -> FastAPI:
@@ -40,12 +42,13 @@ def create_app(settings: Settings, console: Console | None = None) -> FastAPI:
     app.add_middleware(BodyLimit, max_bytes=settings.upload_bytes)
     app.add_middleware(Guard, auth=auth)
     errors.install(app)
-    for part in (status, missions, parameters, runs, stream):
-        app.include_router(part.router)
+    for router in ROUTERS:
+        app.include_router(router)
     app.state.scene = None
     if settings.scene != "off":
-        app.state.scene = scene = Scene(console.state, settings, light=settings.scene == "light")
+        app.state.scene = scene = Scene(console.state, session_cookie, light=settings.scene == "light")
         app.include_router(scene.router)
+    help.mount(app)
     page.mount(app)
     return app
 

@@ -12,11 +12,18 @@ from collections.abc import Mapping
 from http.cookies import CookieError, SimpleCookie
 from urllib.parse import urlsplit
 
+from starlette.requests import HTTPConnection
+
 from bumpless_server.settings import Settings
 
 COOKIE = "bumpless_session"
 SAFE_METHODS = frozenset({"GET", "HEAD", "OPTIONS"})
 LOOPBACK_NAMES = frozenset({"localhost", "127.0.0.1", "::1"})
+
+
+def session_cookie(request: HTTPConnection) -> str | None:
+    """The session a request or websocket carries, which the guard has checked before any route sees it."""
+    return request.cookies.get(COOKIE)
 
 
 class Auth:

@@ -44,7 +44,7 @@ def test_a_fault_names_its_place_field_value_and_rule(good: str, ts100: Vehicle)
         (
             ("version: 1", f"version: 1\nparameters: {{hover: {{lambda: {10**400}}}}}"),
             "parameters.hover.lambda",
-            "must be between",
+            "must be a finite number",
         ),
         (("version: 1", 'version: 1\ntitle: "half \\ud800"'), "", "holds half of a character"),
         (("version: 1", "version: 1\nfaults: 3"), "faults", "must be a list"),
@@ -82,7 +82,7 @@ def test_a_fault_names_its_place_field_value_and_rule(good: str, ts100: Vehicle)
         (
             ("version: 1", "version: 1\nparameters: {hover: {q_diagonal: [1, 2]}}"),
             "parameters.hover.q_diagonal",
-            "must have 6 numbers",
+            "must be a list of 6 numbers in 1/N² or 1/(N·m)²: [X, Y, Z, K, M, N]",
         ),
     ],
 )
@@ -136,3 +136,27 @@ def test_an_unknown_vehicle_is_named(good: str) -> None:
     (problem,) = refused(good.replace("vehicle: ts100", "vehicle: ts9000"))
     assert problem.field == "vehicle"
     assert "ts100" in problem.rule
+
+
+def test_faults_of_fields_and_of_parameters_come_together(good: str, ts100: Vehicle) -> None:
+    """Protects: overrides are checked even when another field of the mission can't be read."""
+    text = good.replace("0.7", "fast") + "parameters: {hover: {lamda: 1, ramp_cycles: 2.5}, supervisor: 3}\n"
+    for vehicle in (ts100, None):
+        assert [p.field for p in refused(text, vehicle)] == [
+            "legs[0].speed_mps",
+            "parameters.hover.lamda",
+            "parameters.hover.ramp_cycles",
+            "parameters.supervisor",
+        ]
+
+
+def test_null_where_a_number_must_stand(good: str, ts100: Vehicle) -> None:
+    """Protects: an empty value is told as such, not as missing."""
+    (problem,) = refused(good.replace("duration_s: 60", "duration_s:"), ts100)
+    assert str(problem) == "bad.yaml:4:1: duration_s = null; must be a number in s"
+
+
+def test_text_that_yaml_takes_for_a_number(good: str, ts100: Vehicle) -> None:
+    """Protects: schema and reader agree that a title of digits needs quotes."""
+    (problem,) = refused(good + "title: 2026\n", ts100)
+    assert problem.rule == "must be a text: put it in quotes"

@@ -15,6 +15,8 @@ from bumpless.config.parameters import (
     check,
     default_parameters,
     from_message,
+    live_fields,
+    live_problems,
     to_message,
     with_overrides,
 )
@@ -57,7 +59,7 @@ def test_the_range_table_covers_every_number(defaults: Parameters) -> None:
     assert all(r.min < r.max and r.unit and r.label for r in RANGES)
 
 
-def test_every_bound_is_enforced(ts100: Vehicle, defaults: Parameters) -> None:
+def test_every_bound_is_enforced(defaults: Parameters) -> None:
     """Just outside of each range is refused under the number's own path, NaN too."""
     for r in RANGES:
         section, key = r.path.split(".")
@@ -68,8 +70,9 @@ def test_every_bound_is_enforced(ts100: Vehicle, defaults: Parameters) -> None:
             table = [bad, *value[1:]] if isinstance(value, list) else bad
             if isinstance(value, int):
                 table = int(bad)
-            problems = check(with_overrides(defaults, {section: {key: table}}), ts100)
-            assert any(p.field.startswith(r.path) for p in problems), (r.path, bad)
+            with pytest.raises(ParameterError) as caught:
+                with_overrides(defaults, {section: {key: table}})
+            assert all(p.field.startswith(r.path) for p in caught.value.problems), (r.path, bad)
 
 
 def test_rows_have_one_number_per_actuator(ts100: Vehicle, defaults: Parameters) -> None:
@@ -77,7 +80,7 @@ def test_rows_have_one_number_per_actuator(ts100: Vehicle, defaults: Parameters)
     short = replace(defaults, hover=replace(defaults.hover, r_diagonal=(1.0, 1.0)))
     (problem,) = check(short, ts100)
     assert problem.field == "hover.r_diagonal"
-    assert "one per actuator" in problem.rule
+    assert "one per command" in problem.rule
 
 
 @given(st.permutations([0.5, 1.0, 4.0, 6.0, 8.0]))
@@ -115,13 +118,16 @@ def test_overrides_change_what_they_name_and_nothing_else(defaults: Parameters) 
 @pytest.mark.parametrize(
     ("table", "field", "rule"),
     [
-        ({"hoover": {}}, "hoover", "unknown section"),
-        ({"hover": 3}, "hover", "must be a table"),
+        ({"hoover": {}}, "hoover", "unknown field; did you mean hover?"),
+        ({"hover": 3}, "hover", "must hold named fields"),
         ({"hover": {"q": [1]}}, "hover.q", "unknown field"),
         ({"hover": {"lambda": "a"}}, "hover.lambda", "must be a number"),
         ({"hover": {"lambda": True}}, "hover.lambda", "must be a number"),
         ({"hover": {"ramp_cycles": 2.5}}, "hover.ramp_cycles", "whole number"),
-        ({"hover": {"kp": [1, "a"]}}, "hover.kp", "list of numbers"),
+        ({"hover": {"kp": [1, "a"]}}, "hover.kp", "must be a list of 6 numbers"),
+        ({"hover": {"kp": [1, 2, "a", 4, 5, 6]}}, "hover.kp[2]", "must be a number"),
+        ({"hover": {"kp": "abcdef"}}, "hover.kp", "must be a list of 6 numbers"),
+        ({"hover": {"r_diagonal": []}}, "hover.r_diagonal", "must be a list of numbers, one per command"),
         ({"bumpless": {"ramp": 1}}, "bumpless.ramp", "true or false"),
         ({"allocation": {"solver": "magic"}}, "allocation.solver", "must be one of osqp"),
     ],
@@ -172,3 +178,38 @@ def test_live_ranges_are_what_the_message_can_carry(defaults: Parameters) -> Non
         if section.name != "bumpless"
     }
     assert {r.path for r in RANGES if r.live} == carried
+
+
+def test_a_message_out_of_range_is_refused_with_every_number(defaults: Parameters) -> None:
+    """Protects: what comes over the bus is held against the same declarations as a file."""
+    message = to_message(defaults)
+    setattr(message.hover, "lambda", -1.0)
+    message.supervisor.range_fr_lower_m = float("nan")
+    message.forward.r_diagonal[2] = 0.0
+    with pytest.raises(ParameterError) as caught:
+        from_message(message, defaults)
+    assert {problem.field for problem in caught.value.problems} == {
+        "hover.lambda",
+        "supervisor.range_fr_lower_m",
+        "forward.r_diagonal[2]",
+    }
+
+
+def test_a_set_from_the_screen_must_be_whole_known_and_live(defaults: Parameters) -> None:
+    """Protects: an absent number would become zero on the bus; what is not live can't be slipped in."""
+    whole = {name: {k: as_dict(defaults)[name][k] for k in keys} for name, keys in live_fields().items()}
+    assert live_problems(whole) == []
+    whole["hover"].pop("lambda")
+    whole["bumpless"].pop("ramp")
+    whole["forward"]["kp"] = [1.0] * 6
+    whole["supervisor"]["dwell_cycles"] = 0.5
+    whole["guidance"] = {}
+    told = {problem.field: problem.rule for problem in live_problems(whole)}
+    assert told == {
+        "guidance": "unknown field; one of forward, reverse, hover, supervisor, bumpless",
+        "forward.kp": "may not change in flight",
+        "hover.lambda": "is missing: λ, price of commands",
+        "supervisor.dwell_cycles": "must be a whole number in cycles",
+        "bumpless.ramp": "is missing",
+    }
+    assert live_problems([])[0].rule == "must be an object of parameters"

@@ -1,4 +1,4 @@
-"""All three vehicles fly a docking mission with the same code: a vehicle is data."""
+"""All vehicles fly a docking mission with the same code: a vehicle is data."""
 
 from collections.abc import Callable
 from functools import cache
@@ -7,14 +7,19 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from bumpless import records
 from bumpless.config.mission import Mission, parse_mission
 from bumpless.config.vehicle import load_vehicle
+from bumpless.contract.enums import COMPLETED, FORWARD, HOVER, REVERSE
 from bumpless.sim.twin import Result, Twin, simulate
 
 ROOT = Path(__file__).parents[3]
-F, R, H = records.FORWARD, records.REVERSE, records.HOVER
-MISSIONS = {"ts100": "docking", "bluerov2_heavy": "rov_docking", "remus100": "remus_docking"}
+F, R, H = FORWARD, REVERSE, HOVER
+MISSIONS = {
+    "ts100": "docking",
+    "bluerov2_heavy": "rov_docking",
+    "remus100": "remus_docking",
+    "twinpod": "azimuth_docking",
+}
 
 
 def mission(vehicle: str) -> Mission:
@@ -40,7 +45,7 @@ def test_every_vehicle_flies_forward_reverse_hover(vehicle: str, seed: int) -> N
     assert np.isfinite(log["eta"]).all()
 
 
-@pytest.mark.parametrize("vehicle", ["ts100", "bluerov2_heavy"])
+@pytest.mark.parametrize("vehicle", ["ts100", "bluerov2_heavy", "twinpod"])
 def test_vehicles_that_can_hover_end_at_the_observation_point(vehicle: str) -> None:
     """Protects: station keeping at rest, within a hand's breadth of range and depth."""
     log = flight(vehicle).log
@@ -69,7 +74,7 @@ def test_depth_by_pitch_without_heave() -> None:
 def test_what_cannot_stop_passes_through_the_observation_point() -> None:
     """Protects: the honest docking of such a vehicle: through a funnel's mouth, never below its speed."""
     result = flight("remus100")
-    assert result.phase == 4
+    assert result.phase == COMPLETED
     log = result.log
     assert log["nu"][log["time"] > 10.0, 0].min() > 1.4
     assert log["range_true"].min() < 0.4
@@ -80,7 +85,7 @@ def test_what_cannot_stop_circles_while_it_waits() -> None:
     vehicle = load_vehicle("remus100")
     twin = Twin(vehicle)
     twin.start(mission("remus100"), seed=1)
-    step: Callable[[], np.ndarray] = twin.step
+    step: Callable[[], np.void] = twin.step
     for _ in range(400):
         step()
     twin.pause()

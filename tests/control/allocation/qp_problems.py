@@ -4,8 +4,8 @@ import itertools
 
 import numpy as np
 
+from bumpless.config.capacity import MAX_ACTUATORS
 from bumpless.jit import jit
-from bumpless.records import MAX_ACTUATORS
 
 KINDS = ("plain", "saturated", "narrow", "rank deficient", "degenerate", "dead actuator", "scaled")
 

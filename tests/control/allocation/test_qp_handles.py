@@ -12,11 +12,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from bumpless.contract.enums import SOLVED
 from bumpless.control.allocation import osqp_native, qp, qp_python
 from bumpless.control.allocation.qp import make_handle, route, solve_box_qp
 from bumpless.control.allocation.qp_active_set import solve_active_set
 from bumpless.control.allocation.qp_handle import ACTIVE_SET, OSQP_PUBLIC, SOLVER
-from bumpless.control.allocation.qp_status import SOLVED
 from bumpless.jit import jit
 from tests.control.allocation.qp_problems import random_problem
 

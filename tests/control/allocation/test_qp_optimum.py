@@ -5,13 +5,13 @@ import importlib.util
 import numpy as np
 import pytest
 
+from bumpless.config.capacity import MAX_ACTUATORS
+from bumpless.contract.enums import SOLVED
 from bumpless.control.allocation.kkt import kkt_residual
 from bumpless.control.allocation.qp import make_handle, solve_box_qp
 from bumpless.control.allocation.qp_handle import FIRST_ORDER, ITERATIONS
 from bumpless.control.allocation.qp_python import make_osqp_handle
-from bumpless.control.allocation.qp_status import SOLVED
 from bumpless.jit import jit
-from bumpless.records import MAX_ACTUATORS
 from tests.control.allocation.qp_problems import KINDS, cost, descended, enumerated, random_problem
 
 PROBLEMS = 10_000

@@ -5,12 +5,12 @@ import math
 import numpy as np
 import pytest
 
+from bumpless.config.capacity import MAX_ACTUATORS as N
+from bumpless.contract.enums import BUDGET_SPENT, FALLBACK, INFEASIBLE, REFUSED, SOLVED
 from bumpless.control.allocation.qp import SOLVERS, make_handle, solve_box_qp
 from bumpless.control.allocation.qp_active_set import solve_active_set
 from bumpless.control.allocation.qp_handle import OSQP_PUBLIC
 from bumpless.control.allocation.qp_python import make_python_handle
-from bumpless.control.allocation.qp_status import BUDGET_SPENT, FALLBACK, INFEASIBLE, REFUSED, SOLVED
-from bumpless.records import MAX_ACTUATORS as N
 
 
 def problem():

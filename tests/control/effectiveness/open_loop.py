@@ -5,18 +5,20 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from bumpless import records
+from bumpless.config.capacity import MAX_ACTUATORS
 from bumpless.config.parameters import default_parameters, with_overrides
 from bumpless.config.vehicle import load_vehicle
-from bumpless.control.autopilot import believe_faults, reset_autopilot
-from bumpless.control.effectiveness.step import estimate_effectiveness
+from bumpless.control.effectiveness.step import believe_faults, estimate_effectiveness
 from bumpless.control.navigation import navigate
+from bumpless.control.onboard import ONBOARD
+from bumpless.control.reset import reset_state
 from bumpless.physics.model import build_model
-from bumpless.physics.plant import new_work, step_plant
-from bumpless.physics.sensors import measure
-from bumpless.sim.settings import fill_settings, mode_controls, plan_of, sensors_of
+from bumpless.physics.plant import step_plant
+from bumpless.physics.sensors import N_NOISE, measure
+from bumpless.sim.settings import fill_settings, plan_of, sensors_of
 from bumpless.sim.truth import tell, truth_of
-from bumpless.sim.twin import one, place_plant
+from bumpless.sim.twin import one
+from bumpless.sim.world import WORLD, place_plant
 from bumpless_paper.study.scenarios import SCENARIOS, mission_of
 
 OVERRIDES = {"allocation": {"fault_tolerant": True, "effectiveness": "estimated"}}
@@ -51,38 +53,51 @@ def watch(
     vehicle = load_vehicle("ts100")
     parameters = with_overrides(default_parameters(vehicle), OVERRIDES)
     mission = mission_of(SCENARIOS["S4"])
-    settings, model, modes = one(records.SETTINGS), build_model(vehicle), mode_controls(parameters)
+    onboard, world = one(ONBOARD)[0], one(WORLD)[0]
+    settings, s, truth, plant = onboard["settings"], onboard["state"], world["truth"], world["plant"]
     fill_settings(settings, vehicle, parameters)
-    truth, plan, sensors = (
-        truth_of(mission, vehicle),
-        plan_of(mission, vehicle.control_period_s),
-        sensors_of(vehicle, mission),
-    )
-    truth[0]["n_faults"], truth[0]["noise_scale"] = len(faults), noise_scale
+    onboard["model"] = world["model"] = build_model(vehicle)
+    world["truth"] = truth_of(mission, vehicle)[0]
+    onboard["plan"] = plan_of(mission, vehicle.control_period_s)[0]
+    onboard["sensors"] = world["sensors"] = sensors_of(vehicle, mission)[0]
+    truth["faults"]["n"], truth["errors"]["noise_scale"] = len(faults), noise_scale
     for f, (actuator, at, effectiveness) in enumerate(faults):
-        truth[0]["fault_actuator"][f], truth[0]["fault_time"][f] = actuator, at
-        truth[0]["fault_effectiveness"][f] = effectiveness
-    tell(truth, plan, faults=False)
-    plant, m, a = one(records.PLANT), one(records.MEASUREMENT), one(records.AUTOPILOT)
-    rng, work, out = np.random.Generator(np.random.PCG64(seed)), new_work(), Watched()
-    place_plant(truth, sensors, plant, rng)
-    reset_autopilot(modes, plan[0], model, a[0])
-    u, dt = np.zeros(records.MAX_ACTUATORS), vehicle.control_period_s
+        truth["faults"]["actuator"][f], truth["faults"]["time"][f] = actuator, at
+        truth["faults"]["effectiveness"][f] = effectiveness
+    tell(truth, onboard["plan"], faults=False)
+    rng, out = np.random.Generator(np.random.PCG64(seed)), Watched()
+    place_plant(truth, world["sensors"], plant, rng)
+    reset_state(settings, onboard["plan"], s)
+    u, dt, m, estimator = (
+        np.zeros(MAX_ACTUATORS),
+        vehicle.control_period_s,
+        world["measurement"],
+        s["estimator"],
+    )
     for k in range(round(seconds / dt)):
-        noise, t = rng.standard_normal(records.N_NOISE), k * dt
-        measure(sensors[0], truth[0], plant[0], k, noise, m[0])
+        noise, t = rng.standard_normal(N_NOISE), k * dt
+        measure(world["sensors"], truth["errors"], truth["target"], plant, k, noise, m)
         if spoil is not None:
-            spoil(t, m[0])
-        navigate(settings[0], sensors[0], m[0], a[0], work)
-        estimate_effectiveness(settings[0], sensors[0], model, m[0], a[0])
-        believe_faults(settings[0], plan[0], a[0])
-        estimator = a[0]["estimator"]
+            spoil(t, m)
+        _listen(onboard, m)
         out.time.append(t)
         out.faults.append(int(sum(int(f) << i for i, f in enumerate(estimator["faulty"]))))
         out.said.append(1.0 - estimator["loss"])
-        out.heard.append(a[0]["effectiveness"].copy())
-        u[: len(vehicle.actuators)] = commands(t)
-        step_plant(model, truth[0], plant[0], u, dt, 2, noise, work)
-        a[0]["cycle"] += 1
-        a[0]["time"] += dt
+        out.heard.append(s["belief"]["effectiveness"].copy())
+        u[: len(vehicle.commands)] = commands(t)
+        step_plant(world["model"], truth["environment"], truth["faults"], plant, u, dt, 2, noise)
     return out
+
+
+def _listen(onboard: np.void, m: np.void) -> None:
+    """What an autopilot does with a measurement up to its belief in its actuators."""
+    settings, s, sensors = onboard["settings"], onboard["state"], onboard["sensors"]
+    allocation, dt, work = settings["allocation"], settings["dt"], onboard["scratch"]["estimator"]
+    clock, navigation, estimator = s["clock"], s["navigation"], s["estimator"]
+    navigate(dt, clock, sensors, m, navigation, onboard["output"]["navigation"])
+    estimate_effectiveness(
+        dt, allocation["fault_evidence"], sensors, onboard["model"], m, navigation, estimator, work
+    )
+    believe_faults(allocation, dt, clock["time"], onboard["plan"]["faults"], estimator, s["belief"])
+    clock["cycle"] += 1
+    clock["time"] += dt

@@ -1,4 +1,4 @@
-"""The report: plots, tables, page and README say what the numbers say, and the page needs nothing else."""
+"""The report: plots, tables, page and docs/results.md say what the numbers say; the page stands alone."""
 
 import csv
 import io
@@ -10,6 +10,7 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
+from bumpless.contract.enums import FORWARD, REVERSE
 from bumpless_paper.report import Comparison, Figure, Grid, Panel, Part, Series, Solid, page_of
 from bumpless_paper.report.csv_text import csv_of
 from bumpless_paper.report.labels import coordinate, label
@@ -17,7 +18,7 @@ from bumpless_paper.report.parts import PARTS, run_part, wanted_parts
 from bumpless_paper.report.parts.extensions import effect
 from bumpless_paper.report.parts.tradeoff import best
 from bumpless_paper.report.plot import POINTS, panel_svg, thinned
-from bumpless_paper.report.readme import BEGIN, END, results_text, with_results
+from bumpless_paper.report.results import BEGIN, END, results_text, with_results
 from bumpless_paper.report.shortfalls import CAUSES, shortfalls
 from bumpless_paper.report.solid import solid_svg
 from bumpless_paper.report.summary import summary_html
@@ -112,14 +113,17 @@ class Flight:
 
     class vehicle:
         control_period_s = 0.05
-        actuators = [type("A", (), {"kind": "fin"})(), type("A", (), {"kind": "thruster"})()]
+
+        @staticmethod
+        def slots(kind: str) -> list[int]:
+            return [["fin", "thruster"].index(kind)]
 
     def __init__(self) -> None:
-        from bumpless.records import LOG
+        from bumpless.sim.log import LOG
 
         self.log = np.zeros(800, LOG)
         self.log["time"] = 0.05 * np.arange(800)
-        self.log["mode"] = np.repeat([0, 1], 400)
+        self.log["mode"] = np.repeat([FORWARD, REVERSE], 400)
         self.log["u"][:, 1] = np.where(self.log["time"] < 20.0, 2.0, 1.0)  # rev/s
         self.log["u"][:, 0] = np.radians(5.0) * (self.log["time"] >= 35.0)
 
@@ -127,20 +131,23 @@ class Flight:
 def test_steps_of_table_a5_are_taken_at_1_hz_near_the_switch() -> None:
     """Protects: windows and units: 60 rpm at the switch count, the fin's 5 deg at 35 s do not."""
     flight = Flight()
-    propeller, fins, _ = steps(flight, 0, 1)  # type: ignore[arg-type]
+    propeller, fins, _ = steps(flight, FORWARD, REVERSE)  # type: ignore[arg-type]
     assert propeller == pytest.approx(60.0)
     assert fins == 0.0
-    assert {mode: len(rows) for mode, rows in segments(flight.log).items()} == {0: 400, 1: 400}
+    assert {mode: len(rows) for mode, rows in segments(flight.log).items()} == {
+        FORWARD: 400,
+        REVERSE: 400,
+    }
     assert about_mean(np.array([1.0, 3.0])) == pytest.approx(1.0)
 
 
-def test_the_readme_holds_the_results_of_the_numbers_behind_it() -> None:
+def test_the_results_page_holds_the_numbers_behind_it() -> None:
     """Protects: nobody edits a result by hand; `make results` makes both."""
-    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs" / "results.md").read_text(encoding="utf-8")
     document = json.loads((ROOT / "results" / "reproduce.json").read_text(encoding="utf-8"))
-    assert with_results(readme, document) == readme
-    assert results_text(document) in readme
-    assert readme.count(BEGIN) == readme.count(END) == 1
+    assert with_results(page, document) == page
+    assert results_text(document) in page
+    assert page.count(BEGIN) == page.count(END) == 1
 
 
 def test_columns_stand_as_their_cells_do() -> None:
@@ -177,7 +184,7 @@ def test_an_extension_is_needed_where_a_goal_falls_without_it() -> None:
 
 
 def test_every_shortfall_has_its_reason_and_its_numbers() -> None:
-    """Protects: the README says why a goal is missed, with share, place and price from the JSON."""
+    """Protects: the results page says why a goal is missed, with share, place and price from the JSON."""
     name = "S4<=S2 e_tau"
     robust = {
         "numbers": {"missed": [name], "share": {name: 0.28}},
@@ -213,7 +220,7 @@ def test_figures_are_shown_by_words() -> None:
     assert label("rms_e_tau_all (N, N·m)") == "RMS e_τ, all cycles (N, N·m)"
     assert label("r_sat_all (1)") == "r_sat, all cycles"
     assert label("closest to the point (m)") == "closest to the point (m)"
-    assert coordinate("autopilot.integral[5]") == "integral of heading"
+    assert coordinate("autopilot.pid.integral[5]") == "integral of heading"
     assert coordinate("something else") == "something else"
 
 

@@ -1,4 +1,4 @@
-"""The study of S7: counts that agree with its flights, and a chapter and README block made of them."""
+"""The study of S7: counts that agree with its flights, and a chapter and results block made of them."""
 
 import json
 import math
@@ -9,7 +9,7 @@ import pytest
 from bumpless.sim.twin import Result
 from bumpless_paper.report import page_of
 from bumpless_paper.report.parts.diagnosis import part_of
-from bumpless_paper.report.readme import diagnosis_text
+from bumpless_paper.report.results import diagnosis_text
 from bumpless_paper.study.detection import Detection
 from bumpless_paper.study.diagnosis import run, summary
 
@@ -34,7 +34,7 @@ def test_an_alarm_on_a_whole_actuator_is_counted_by_the_hour() -> None:
     assert told["false_alarms_per_hour"] == pytest.approx(4.0)
 
 
-def test_the_study_becomes_a_chapter_and_a_readme_block(flight: Callable[[str], Result]) -> None:
+def test_the_study_becomes_a_chapter_and_a_results_block(flight: Callable[[str], Result]) -> None:
     """Protects: every batch of flights lands in its own row, and the page can be made of the answer."""
     answer = run(1, workers=1)
     json.dumps(answer, allow_nan=False)

@@ -7,7 +7,7 @@ import pytest
 
 from bumpless.config.vehicle import load_vehicle
 from bumpless.physics.model import build_model
-from bumpless.sim.truth import TOLD, TOLD_OF_FAULTS, truth_of
+from bumpless.sim.truth import TOLD, truth_of
 from bumpless.sim.twin import Twin
 from bumpless_paper.study.plants import DISTRIBUTION, NOMINAL, draw
 from bumpless_paper.study.scenarios import SCENARIOS, mission_of
@@ -43,11 +43,12 @@ def test_autopilot_keeps_the_nominal_model() -> None:
     twin.start(mission_of(SCENARIOS["S5"]), 1, alter=plant)
     nominal = build_model(vehicle)
     for name in ("time_constant", "buoyancy", "r_b", "D_quadratic"):
-        assert np.array_equal(twin._model[name], nominal[name]), name
-        assert not np.array_equal(twin._plant_model[name], nominal[name]), name
-    assert twin._truth[0]["fault_effectiveness"][0] == plant.fault_effectiveness
-    assert twin._truth[0]["fault_time"][0] == plant.fault_time
-    for name in (*TOLD, *TOLD_OF_FAULTS):
-        assert np.array_equal(twin._plan[0][name], twin._truth[0][name]), name
+        assert np.array_equal(twin.onboard["model"][name], nominal[name]), name
+        assert not np.array_equal(twin.world["model"][name], nominal[name]), name
+    truth, plan = twin.world["truth"], twin.onboard["plan"]
+    assert truth["faults"]["effectiveness"][0] == plant.fault_effectiveness
+    assert truth["faults"]["time"][0] == plant.fault_time
+    for name in TOLD:
+        assert np.array_equal(plan[name], truth[name]), name
     twin.start(mission_of(SCENARIOS["S5"]), 1)
-    assert twin._plant_model["buoyancy"] == pytest.approx(float(nominal["buoyancy"]))
+    assert twin.world["model"]["buoyancy"] == pytest.approx(float(nominal["buoyancy"]))

@@ -29,7 +29,8 @@ def test_mission_file_is_the_scenario(name: str) -> None:
 def test_scenarios_share_plant_and_references() -> None:
     """Protects: the comparison; only allocator, switching and fault handling may differ."""
     missions = [mission_of(s) for s in SCENARIOS.values()]
-    own = {"name": "", "title": "", "summary": "", "source": "", "text": "", "parameters": {}, "faults": ()}
+    words = {"name": "same", "title": "", "summary": "", "source": "", "text": ""}
+    own = {**words, "parameters": {}, "faults": ()}
     common = [replace(m, **own) for m in missions]
     assert all(m == common[0] for m in common)
     assert [len(m.faults) for m in missions] == [0, 0, 0, 0, 1, 1, 1]

@@ -7,10 +7,10 @@ import pytest
 from scipy.spatial import ConvexHull
 
 from bumpless.config.vehicle import load_vehicle, vehicle_names
+from bumpless.physics.actuators import FIN, THRUSTER
 from bumpless.physics.envelope import attainable_sets, sampled_sets, select, wrench_curves
 from bumpless.physics.envelope_hull import Hull, direction_sphere, hull_of_points
 from bumpless.physics.model import build_model
-from bumpless.records import FIN, THRUSTER
 
 MODELS = {name: build_model(load_vehicle(name)) for name in vehicle_names()}
 TS100 = MODELS["ts100"]

@@ -8,10 +8,10 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
+from bumpless import open_run
 from bumpless.metrics import as_dict
+from bumpless.runs.summary import summarise
 from bumpless_server.cli.main import app
-from bumpless_server.runs.run_metrics import metrics_of_file
-from bumpless_server.runs.run_summary import summarise
 
 MISSIONS = Path(__file__).parents[3] / "missions"
 DOCKING = MISSIONS / "docking.yaml"
@@ -62,9 +62,8 @@ def test_run_prints_json_and_writes_a_log(short: Path, tmp_path: Path) -> None:
     assert result["simulated_s"] == pytest.approx(3.0)
     assert result["metrics"]["cycles"] == 60
     assert result["metrics"]["increment_violations"] == 0
-    stored = metrics_of_file(out, result["run_id"])
-    assert stored is not None
-    assert as_dict(stored)["residual_rms"] == pytest.approx(result["metrics"]["residual_rms"])
+    assert as_dict(open_run(out).metrics) == result["metrics"]
+    assert result["outcome"]["ending"] == "time_over"
     summary = summarise(out)
     assert (summary.run_id, summary.state) == (result["run_id"], "complete")
     assert summary.metrics == result["metrics"]
@@ -98,7 +97,7 @@ def test_text_output_shows_speed_and_figures(short: Path) -> None:
 @pytest.mark.parametrize(
     ("arguments", "code", "said"),
     [
-        (["--set", "hover.lambda=-1"], 1, "--set: hover.lambda = -1.0; must be between"),
+        (["--set", "hover.lambda=-1"], 1, "--set: hover.lambda = -1; must be between"),
         (["--set", "hover.lamda=1"], 1, "--set: hover.lamda"),
         (["--set", "hover"], 2, "must be section.key=value"),
         (["--vehicle", "nothing"], 1, "no such vehicle"),
@@ -137,6 +136,23 @@ def test_validate_wants_text(tmp_path: Path) -> None:
     path.write_bytes(b"\xff\xfe\x00")
     assert "not UTF-8" in bumpless("validate", path, code=1)[1]
     assert bumpless("validate", code=2)[1]
+
+
+def test_validate_answers_for_every_file(short: Path, tmp_path: Path) -> None:
+    """Protects: one file that can't be read, or is none of ours, takes no answer from the others."""
+    latin = tmp_path / "latin.yaml"
+    latin.write_bytes("version: 1\n# 45°\n".encode("latin-1"))
+    plan = tmp_path / "sub.plan"
+    plan.write_text('{"fileType": "Plan", "mission": {"items": []}, "version": 1}')
+    out, _ = bumpless("validate", "--json", latin, tmp_path / "none.yaml", tmp_path, plan, short, code=1)
+    results = json.loads(out)
+    assert [result["ok"] for result in results] == [False, False, False, False, True]
+    first, absent, folder, foreign = (result["problems"][0] for result in results[:4])
+    assert (first["line"], first["column"]) == (2, 5)
+    assert "byte 0xb0 at offset 15" in first["rule"]
+    assert absent["rule"].startswith("cannot be read: No such file")
+    assert folder["rule"].startswith("cannot be read: Is a directory")
+    assert foreign["rule"] == "is a QGroundControl plan, not a Bumpless mission"
 
 
 def test_envelope_prints_both_sets() -> None:

@@ -19,11 +19,11 @@ from websockets.sync.client import connect
 
 from bumpless.config.vehicle import VehicleError
 from bumpless.contract import bumpless_pb2 as pb
+from bumpless.runs.read import log_messages
+from bumpless.runs.records import is_whole
 from bumpless_server.console import Console
 from bumpless_server.data_dir import DataDir, DataDirError
 from bumpless_server.live.bus import BusError
-from bumpless_server.runs.read import log_messages
-from bumpless_server.runs.run_summary import is_whole
 from bumpless_server.settings import Settings
 from bumpless_server.vehicle_process.process import adopt
 from tests.server.serving import PATIENCE_S

@@ -11,31 +11,36 @@ from pathlib import Path
 import pytest
 
 from bumpless.contract import bumpless_pb2 as pb
+from bumpless.metrics import Ending, Outcome
+from bumpless.runs.records import is_whole
+from bumpless.runs.summary import summarise
+from bumpless.runs.writer import RunWriter
 from bumpless_server.runs.catalogue import Catalogue
-from bumpless_server.runs.run_summary import is_whole, summarise
-from bumpless_server.runs.writer import LogWriter
 
 WRITER = """
 import os, signal, sys
 from pathlib import Path
-from bumpless_server.runs.writer import LogWriter
+from bumpless.runs.writer import RunWriter
 from bumpless.contract import bumpless_pb2 as pb
-log = LogWriter(Path(sys.argv[1]), {"run_id": "cut", "mission": "docking", "started_ns": "5"})
+status = pb.MissionStatus(stamp=pb.Stamp(time_ns=5), run_id="cut", mission_name="docking")
+log = RunWriter(Path(sys.argv[1]), status)
 for cycle in range(100):
     payload = pb.Navigation(stamp=pb.Stamp(cycle=cycle)).SerializeToString()
-    log.write("tlm/navigation", "bumpless.Navigation", payload, cycle * 10**9, cycle * 10**9)
+    log.write("tlm/navigation", "bumpless.Navigation", payload, cycle * 10**9)
 log.flush()
-log.write("tlm/navigation", "bumpless.Navigation", payload, 10**12, 10**12)
+log.write("tlm/navigation", "bumpless.Navigation", payload, 10**12)
 os.kill(os.getpid(), signal.SIGKILL)
 """
 
 
 def write_run(folder: Path, name: str, started_ns: int, state: str = "complete") -> Path:
     path = folder / f"{name}.mcap"
-    with LogWriter(path, {"run_id": name, "mission": "docking", "started_ns": str(started_ns)}) as log:
-        log.write("tlm/health", "bumpless.Health", pb.Health(cycles=1).SerializeToString(), 1, 1)
-        log.attach("metrics.json", "application/json", b'{"cycles": 3}')
-        log.metadata("end", {"state": state, "reason": "done", "duration_s": "1.5", "messages": "1"})
+    stamp = pb.Stamp(time_ns=started_ns + 1_500_000_000)
+    status = pb.MissionStatus(stamp=stamp, run_id=name, mission_name="docking", elapsed_s=1.5)
+    log = RunWriter(path, status)
+    log.write("tlm/health", "bumpless.Health", pb.Health(cycles=1).SerializeToString(), 1)
+    ended = Outcome(Ending.HELD, "", "true", "H", 0.0, 0.0, 0.0, 0.0, 0.0, held_s=0.0)
+    log.finish(state, "done", figures=(pb.Metrics(cycles=3), ended))
     return path
 
 
@@ -67,7 +72,8 @@ def test_it_is_rebuilt_from_the_files(catalogue: Catalogue, tmp_path: Path) -> N
     catalogue.refresh()
     before = catalogue.rows()
     assert [row.summary.id for row in before] == ["run-2", "run-1", "run-0"]
-    assert before[0].summary.metrics == {"cycles": 3} and before[0].summary.duration_s == 1.5
+    assert before[0].summary.metrics is not None and before[0].summary.metrics["cycles"] == 3
+    assert before[0].summary.duration_s == 1.5
     catalogue.close()
     (tmp_path / "index.sqlite").unlink()
     catalogue.open()
@@ -125,10 +131,10 @@ def test_a_file_cut_off_by_a_kill_is_repaired_and_listed_as_interrupted(
 def test_the_file_being_written_is_left_alone(catalogue: Catalogue, tmp_path: Path) -> None:
     """Repairing what the recorder is writing would destroy it."""
     path = tmp_path / "runs" / "now.mcap"
-    log = LogWriter(path, {"run_id": "now"})
+    log = RunWriter(path, pb.MissionStatus(run_id="now"))
     assert catalogue.refresh(busy=lambda: path) == []
     assert catalogue.row("now") is None
-    log.close()
+    log.abandon()
 
 
 def test_what_is_no_log_is_listed_and_kept(catalogue: Catalogue, tmp_path: Path) -> None:

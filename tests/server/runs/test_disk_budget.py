@@ -1,12 +1,14 @@
 """Room for runs: what is refused, what is deleted for it, and what never is."""
 
+import random
 from pathlib import Path
 
 import pytest
 
+from bumpless.contract import bumpless_pb2 as pb
+from bumpless.runs.writer import RunWriter
 from bumpless_server.console import Console
 from bumpless_server.runs.disk_budget import DiskBudget
-from bumpless_server.runs.writer import LogWriter
 from bumpless_server.settings import Settings, SettingsError, load_settings
 
 
@@ -16,10 +18,10 @@ def kept(folder: Path) -> list[str]:
 
 def record(folder: Path, run: str, state: str) -> None:
     """A run's file of about 10 kB."""
-    started = str(10**18 + int(run[-1]))
-    with LogWriter(folder / f"{run}.mcap", {"id": run, "run_id": run, "started_ns": started}) as writer:
-        writer.attach("ballast", "application/octet-stream", bytes(10_000))
-        writer.metadata("end", {"state": state, "reason": "", "duration_s": "1"})
+    status = pb.MissionStatus(stamp=pb.Stamp(time_ns=10**18 + int(run[-1])), run_id=run)
+    writer = RunWriter(folder / f"{run}.mcap", status)
+    writer.write("tlm/ballast", "bumpless.Ballast", random.Random(run).randbytes(9_000), 1)
+    writer.finish(state, "")
 
 
 @pytest.fixture

@@ -8,13 +8,13 @@ import pytest
 
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.keys import TOPICS
+from bumpless.runs import writer
+from bumpless.runs.mcap_file import McapFile
+from bumpless.runs.read import log_messages
+from bumpless.runs.summary import summarise
 from bumpless_server.live.sample import Sample
-from bumpless_server.runs import run_file
 from bumpless_server.runs.disk_budget import DiskBudget
-from bumpless_server.runs.read import log_messages
 from bumpless_server.runs.recorder import Recorder
-from bumpless_server.runs.run_summary import summarise
-from bumpless_server.runs.writer import LogWriter
 
 
 def sample(topic: str, cycle: int, **fields) -> Sample:
@@ -34,7 +34,7 @@ class Disk:
     def __init__(self, folder: Path, queue_messages: int = 1000, budget: DiskBudget | None = None) -> None:
         self.folder, self.said, self.closed = folder, [], []
         self.file_closed, self.told = threading.Event(), threading.Event()
-        self.recorder = Recorder(folder, "1", self._say, self._close, queue_messages, budget=budget)
+        self.recorder = Recorder(folder, self._say, self._close, queue_messages=queue_messages, budget=budget)
         self.recorder.start()
 
     def _say(self, _severity: int, code: str, _text: str, _details: dict) -> None:
@@ -56,13 +56,13 @@ def test_an_overflowing_queue_drops_the_oldest_counts_them_and_keeps_begin_and_e
     """While the disk hangs, memory is bounded; when it returns, the run still has its end."""
     hangs, returns = threading.Event(), threading.Event()
 
-    class Hanging(LogWriter):
+    class Hanging(McapFile):
         def flush(self) -> None:
             hangs.set()
             assert returns.wait(30)
             super().flush()
 
-    monkeypatch.setattr(run_file, "LogWriter", Hanging)
+    monkeypatch.setattr(writer, "McapFile", Hanging)
     disk = Disk(tmp_path, queue_messages=50)
     disk.recorder.offer(status(1, pb.MISSION_PHASE_RUNNING))
     assert hangs.wait(30)
@@ -82,15 +82,17 @@ def test_a_failing_disk_is_told_and_the_next_run_is_recorded(
 ) -> None:
     """A full disk ends one file, not the recorder."""
 
-    class Full(LogWriter):
-        def write(self, topic: str, *rest) -> None:
+    class Full(McapFile):
+        def message(self, topic: str, *rest) -> None:
             if topic == "tlm/navigation":
                 raise OSError(28, "No space left on device")
-            super().write(topic, *rest)
+            super().message(topic, *rest)
 
-    monkeypatch.setattr(run_file, "LogWriter", Full)
+    monkeypatch.setattr(writer, "McapFile", Full)
     disk = Disk(tmp_path)
     disk.recorder.offer(status(1, pb.MISSION_PHASE_RUNNING))
+    for topic in ("description", "parameters", "plan"):  # then the file begins
+        disk.recorder.offer(sample(topic, 1))
     disk.recorder.offer(sample("navigation", 2))
     assert disk.file_closed.wait(30)
     disk.recorder.offer(status(5, pb.MISSION_PHASE_RUNNING, "run-2"))
@@ -155,13 +157,13 @@ def test_a_disk_that_keeps_failing_is_tried_after_longer_and_longer_pauses(
     """Protects: a full disk got a new file every five seconds for ever, and an alarm with each."""
     tries: list[float] = []
 
-    class Full(LogWriter):
+    class Full(McapFile):
         def flush(self) -> None:
             tries.append(clock.now)
             raise OSError(28, "No space left on device")
 
     clock = Clock(monkeypatch)
-    monkeypatch.setattr(run_file, "LogWriter", Full)
+    monkeypatch.setattr(writer, "McapFile", Full)
     disk = Disk(tmp_path)
     worker = disk.recorder._worker
     for half_second in range(2400):  # twenty minutes of a vehicle saying that it flies

@@ -12,8 +12,9 @@ from mcap.reader import make_reader
 from mcap_protobuf.decoder import DecoderFactory
 
 from bumpless.contract import bumpless_pb2 as pb
-from bumpless_server.runs.read import log_messages
-from bumpless_server.runs.run_summary import is_whole
+from bumpless.runs.names import record_kind
+from bumpless.runs.read import log_messages
+from bumpless.runs.records import is_whole
 from bumpless_server.settings import Settings
 from tests.server.serving import Running, serving
 
@@ -82,7 +83,7 @@ def test_independent_readers_open_the_log_and_find_mission_parameters_and_hashes
     attached = {a.name: a.data for a in reader.iter_attachments()}
     assert attached["docking.yaml"].decode() == yaml["yaml"]
     assert b"q_diagonal" in attached["parameters.json"]
-    metadata = {m.name: m.metadata for m in reader.iter_metadata()}
+    metadata = {record_kind(m.name): m.metadata for m in reader.iter_metadata()}
     assert metadata["run"]["mission_sha256"] == yaml["sha256"]
     assert metadata["run"]["vehicle"] == "ts100"
     assert metadata["end"]["state"] == "complete"
@@ -91,7 +92,7 @@ def test_independent_readers_open_the_log_and_find_mission_parameters_and_hashes
 def test_a_run_can_be_downloaded_while_it_is_recorded(running: Running) -> None:
     """What is on the disk so far arrives whole and can be read up to the last flush."""
     run = start(running)
-    going = running.until(lambda: running.console.recorder.recording)
+    going = running.until(lambda: (r := running.console.recorder.recording) and r.messages > 20 and r)
     first = going.flushed_bytes
     running.until(lambda: going.flushed_bytes > first)
     content = running.http.get(f"/api/runs/{run}/log.mcap").content

@@ -16,7 +16,7 @@ from bumpless_server.live.sample import Sample
 from bumpless_server.live.state import State
 from bumpless_server.scene.scene import Scene
 from bumpless_server.settings import load_settings
-from bumpless_server.web.auth import Auth
+from bumpless_server.web.auth import Auth, session_cookie
 from bumpless_server.web.guard import Guard
 
 
@@ -47,7 +47,7 @@ class _Server(uvicorn.Server):
 def serve(**options: Any) -> Iterator[Served]:
     """Scene, guard and an empty console page at /, until the block ends."""
     state = State("ts100")
-    scene = Scene(state, **options)
+    scene = Scene(state, session_cookie, **options)
 
     @contextlib.asynccontextmanager
     async def lifespan(_: FastAPI) -> AsyncIterator[None]:

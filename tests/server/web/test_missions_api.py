@@ -139,13 +139,13 @@ def test_a_mission_for_the_vehicle_on_the_bus_is_kept_though_its_file_is_not_our
     )
     text = DOCKING.replace("vehicle: ts100", "vehicle: harbour7")
     with pytest.raises(MissionError, match="no such vehicle"):
-        Missions(tmp_path).save("mine", text, replace=False)
+        Missions(tmp_path).save("mine", text.encode(), replace=False)
     missions = Missions(tmp_path, vehicle=lambda: own)
-    assert missions.save("mine", text, replace=False).mission is not None
+    assert missions.save("mine", text.encode(), replace=False).mission is not None
     with pytest.raises(MissionError, match="no such vehicle"):
-        missions.save("other", text.replace("harbour7", "harbour8"), replace=False)
+        missions.save("other", text.replace("harbour7", "harbour8").encode(), replace=False)
     with pytest.raises(MissionError, match="duration_s"):
-        missions.save("other", text.replace("duration_s: 90", "duration_s: -1"), replace=False)
+        missions.save("other", text.replace("duration_s: 90", "duration_s: -1").encode(), replace=False)
 
 
 def test_what_is_no_file_is_no_mission(tmp_path: Path) -> None:

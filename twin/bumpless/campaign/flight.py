@@ -72,7 +72,7 @@ def fly_number(prepared: Prepared, number: int, hangar: Hangar) -> Row:
         "number": number,
         "seed": seed,
         "mission": mission.name,
-        "outcome": decided.outcome,
+        "outcome": decided.outcome.value,
         "reason": decided.reason,
         "current_mps": speed,
         "current_relative_deg": toward,

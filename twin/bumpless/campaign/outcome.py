@@ -1,7 +1,10 @@
-"""How a flight ended, and the row at which that was decided."""
+"""How a flight ended, and the row at which that was decided.
+
+The words and docked's limits are those of `bumpless.metrics.outcome`, which judges a whole run; here a flight
+that is decided need not be flown to its end.
+"""
 
 from dataclasses import dataclass
-from typing import Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -10,19 +13,16 @@ from bumpless.campaign.declaration import Docked
 from bumpless.campaign.geometry import Errors, nose_clearance, nose_x, true_errors
 from bumpless.config.mission import Mission
 from bumpless.config.vehicle import Vehicle
-
-Name = Literal["docked", "held", "waved_off", "time_over", "aborted", "collided", "interrupted"]
-OUTCOMES: tuple[Name, ...] = (
-    "docked", "held", "waved_off", "time_over", "aborted", "collided", "interrupted",
-)  # fmt: skip
-HOVER, ABORTED = 2, 5  # Mode, counted from 0, and MissionPhase of the contract
+from bumpless.contract.enums import ABORTED, HOVER
+from bumpless.contract.modes import LOOKS
+from bumpless.metrics.outcome import Ending
 
 
 @dataclass(frozen=True)
 class Decided:
     """An outcome, why, and how many rows of the flight lead to it."""
 
-    outcome: Name
+    outcome: Ending
     reason: str
     rows: int
 
@@ -53,22 +53,21 @@ class Judge:
             touching = nose_clearance(new, self.mission, self.vehicle) < self.rule.touch_m
             held = self._held(self._within(new, errors))
         ends = [
-            (_first(broken), "aborted", "the simulation broke down"),
-            (_first(touching), "collided", f"nose within {self.rule.touch_m:g} m of the marker"),
-            (_first(new["phase"] == ABORTED), "aborted", "mission aborted"),
-            (_first(held), "docked", f"within tolerances for {self.rule.hold_s:g} s"),
+            (_first(broken), Ending.ABORTED, "the simulation broke down"),
+            (_first(touching), Ending.COLLIDED, f"nose within {self.rule.touch_m:g} m of the marker"),
+            (_first(new["phase"] == ABORTED), Ending.ABORTED, "mission aborted"),
+            (_first(held), Ending.DOCKED, f"within tolerances for {self.rule.hold_s:g} s"),
         ]
         row, name, why = min(ends, key=lambda end: end[0])
-        return Decided(name, why, before + row + 1) if row < len(new) else None  # type: ignore[arg-type]
+        return Decided(name, why, before + row + 1) if row < len(new) else None
 
     def over(self, log: npt.NDArray) -> Decided:
         """What a flight is that came to its end undecided."""
         last = log[-1:]
         if last["mode"][0] != HOVER:
-            mode = ("forward", "reverse")[int(last["mode"][0])]
-            return Decided("time_over", f"still in {mode}", len(log))
+            return Decided(Ending.TIME_OVER, f"still in {LOOKS[int(last['mode'][0])].key}", len(log))
         if self._inside:
-            return Decided("held", "within tolerances, but not yet for long enough", len(log))
+            return Decided(Ending.HELD, "within tolerances, but not yet for long enough", len(log))
         errors, rule = true_errors(last, self.mission), self.rule
         far = (
             ("position", errors.range[0] > rule.range_m),
@@ -76,7 +75,7 @@ class Judge:
             ("speed", errors.speed[0] > rule.speed_mps),
         )
         said = " and ".join(name for name, missed in far if missed)
-        return Decided("time_over", f"in hover, {said} out of tolerance", len(log))
+        return Decided(Ending.HELD, f"in hover, {said} out of tolerance", len(log))
 
     def _within(self, log: npt.NDArray, errors: Errors) -> npt.NDArray[np.bool_]:
         rule = self.rule

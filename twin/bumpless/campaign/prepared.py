@@ -8,11 +8,15 @@ from typing import Any
 
 from bumpless.campaign.declaration import Campaign
 from bumpless.campaign.draws import draw, flight_seed
+from bumpless.campaign.plain import plain
+from bumpless.config.declare import as_table
 from bumpless.config.mission import Mission
 from bumpless.config.parameters import Parameters, as_dict, with_overrides
 from bumpless.config.vehicle import Vehicle
 from bumpless.contract.version import software_version
 from bumpless.jit.decorator import cache_folder
+
+_SAID = ("tune", "title", "summary")  # of a campaign, what changes no flight
 
 
 @dataclass(frozen=True)
@@ -50,8 +54,9 @@ class Prepared:
 
     def identity(self) -> dict[str, str]:
         """Hashes of all that decides a flight. Equal identities give equal flights."""
+        declared = as_table(self.campaign)
         return {
-            "campaign": digest(self.campaign.model_dump(mode="json", exclude={"tune", "title", "summary"})),
+            "campaign": digest({key: plain(value) for key, value in declared.items() if key not in _SAID}),
             "missions": digest([s.mission.sha256 for s in self.setups]),
             "vehicle": digest([s.vehicle.sha256 for s in self.setups]),
             "parameters": digest([as_dict(s.parameters) for s in self.setups]),

@@ -5,22 +5,18 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
-from pydantic import ValidationError
-
-from bumpless.campaign.declaration import Campaign, Docked, Search, Tune, Weights
+from bumpless.campaign.declaration import Campaign
 from bumpless.campaign.distributions import KINDS, Choice, Distribution
 from bumpless.campaign.limits import check_draws
+from bumpless.campaign.named import mission_named, vehicle_named
 from bumpless.campaign.prepared import Prepared, Setup
-from bumpless.campaign.problems import refuse, unknown
 from bumpless.campaign.quantities import QUANTITIES
-from bumpless.config.mission import Mission, MissionError, parse_mission
-from bumpless.config.mission.document import Document
-from bumpless.config.mission.shipped import missions_folder
+from bumpless.config.declare import Unread, read, unknown
 from bumpless.config.parameters import ParameterError, check, default_parameters, with_overrides
-from bumpless.config.problems import Problem, ProblemsError
-from bumpless.config.vehicle import Vehicle, load_vehicle
-
-_FIELDS = {field for model in (Campaign, Docked, Tune, Search, Weights) for field in model.model_fields}
+from bumpless.config.problems import ProblemsError
+from bumpless.config.text import BOM, NotText, decoded
+from bumpless.config.vehicle import load_vehicle
+from bumpless.config.yaml_text import YamlText
 
 
 class CampaignError(ProblemsError):
@@ -29,75 +25,71 @@ class CampaignError(ProblemsError):
 
 def load_campaign(path: Path) -> Prepared:
     """The campaign in a file. Raises CampaignError with every problem, or OSError."""
+    return parse_campaign(path.read_bytes(), str(path), path.parent)
+
+
+def parse_campaign(data: bytes | str, source: str = "campaign.yaml", folder: Path = Path()) -> Prepared:
+    """The campaign that a file's bytes (or their text) hold; files it names lie beside `folder`."""
     try:
-        text = path.read_bytes().decode()
-    except UnicodeDecodeError as error:
-        raise CampaignError([Problem(str(path), None, None, "", None, "is not UTF-8 text")]) from error
-    return parse_campaign(text, str(path), path.parent)
-
-
-def parse_campaign(text: str, source: str = "campaign.yaml", folder: Path = Path()) -> Prepared:
-    """The campaign that `text` holds; files it names lie beside `folder`."""
-    document = Document(text, source)
-    campaign = None if document.root is None else _declared(document)
-    setups = () if campaign is None else tuple(_setups(document, campaign, folder))
-    if campaign is not None and not document.problems:
+        text = decoded(data, source)
+    except NotText as error:
+        raise CampaignError([error.problem]) from None
+    file = YamlText(text.removeprefix(BOM), source)
+    campaign = None if file.value is None else _declared(file, dict(file.value))
+    setups = () if campaign is None else tuple(_setups(file, campaign, folder))
+    if campaign is not None and not file.problems:
         prepared = Prepared(campaign, setups)
-        check_draws(document, prepared)
-        if not document.problems:
+        check_draws(file, prepared)
+        if not file.problems:
             return prepared
-    raise CampaignError(sorted(document.problems, key=lambda p: (p.line or 0, p.column or 0)))
+    raise CampaignError(sorted(file.problems, key=lambda p: (p.line or 0, p.column or 0)))
 
 
-def _declared(document: Document) -> Campaign | None:
+def _declared(file: YamlText, data: dict[str, Any]) -> Campaign | None:
     """The declaration by itself, without what it names."""
-    items = document.items(document.root, "")  # type: ignore[arg-type]
-    data = {key: document.plain(node, key) for key, node in items.items()}
     if "draw" in data:
-        data["draw"] = _distributions(document, data["draw"])
+        data["draw"] = _distributions(file, data["draw"])
     try:
-        return Campaign.model_validate(
-            data | {"missions": _row(data["missions"])} if "missions" in data else data
-        )
-    except ValidationError as error:
-        refuse(document, error, known=_FIELDS)
+        return read(Campaign, data)
+    except Unread as error:
+        for one in error.broken:
+            file.refuse(*one)
         return None
 
 
-def _row(value: Any) -> Any:
-    """A list as a tuple, which is what strict models of rows want."""
-    return tuple(value) if isinstance(value, list) else value
-
-
-def _distributions(document: Document, draws: Any) -> dict[str, Distribution]:
+def _distributions(file: YamlText, draws: Any) -> dict[str, Distribution]:
     if not isinstance(draws, dict):
-        document.refuse("draw", draws, "must hold named quantities such as `current_speed_mps`")
+        file.refuse("draw", draws, "must hold named quantities such as `current_speed_mps`")
         return {}
     found = {}
     for name, given in draws.items():
+        place, kind = f"draw.{name}", _kind(given)
         if name not in QUANTITIES:
-            document.refuse(f"draw.{name}", None, unknown(name, QUANTITIES))
-            continue
-        table = given if isinstance(given, dict) else {}
-        kind = next(iter(table), None)
-        if isinstance(given, int | float | str) and not isinstance(given, bool):
+            file.refuse(place, given, unknown(name, QUANTITIES))
+        elif isinstance(given, int | float | str) and not isinstance(given, bool):
             found[name] = Choice(choice=(given,))
-        elif kind not in KINDS or len(table) != 1:
-            rule = f"must be a value, or a mapping of one of {', '.join(KINDS)}"
-            document.refuse(f"draw.{name}", None if isinstance(given, dict) else given, rule)
+        elif kind is None:
+            file.refuse(place, given, f"must be a value, or a mapping of one of {', '.join(KINDS)}")
         else:
             try:
-                found[name] = KINDS[kind].model_validate({kind: _row(table[kind])})
-            except ValidationError as error:
-                refuse(document, error, f"draw.{name}")
+                found[name] = read(KINDS[kind], given)
+            except Unread as error:
+                for path, value, rule in error.broken:
+                    file.refuse(f"{place}.{path}", value, rule)
     return found
 
 
-def _setups(document: Document, campaign: Campaign, folder: Path) -> Iterator[Setup]:
-    overrides = _overrides(document, campaign, folder)
+def _kind(given: Any) -> str | None:
+    """The distribution that a table of one entry names."""
+    kind = next(iter(given)) if isinstance(given, dict) and len(given) == 1 else None
+    return kind if kind in KINDS else None
+
+
+def _setups(file: YamlText, campaign: Campaign, folder: Path) -> Iterator[Setup]:
+    overrides = _overrides(file, campaign, folder)
+    vehicle = vehicle_named(file, campaign.vehicle, folder) if campaign.vehicle else None
     for i, named in enumerate(campaign.missions):
-        vehicle = _vehicle(document, campaign.vehicle, folder) if campaign.vehicle else None
-        mission = _mission(document, f"missions[{i}]", named, vehicle, folder)
+        mission = mission_named(file, f"missions[{i}]", named, vehicle, folder)
         if mission is None or (campaign.vehicle and vehicle is None):
             continue
         flown_by = vehicle or load_vehicle(mission.vehicle)
@@ -109,60 +101,17 @@ def _setups(document: Document, campaign: Campaign, folder: Path) -> Iterator[Se
         except ParameterError as error:
             parameters, broken = None, error.problems
         for problem in broken:
-            document.refuse(f"parameters.{problem.field}", problem.value, problem.rule)
+            file.refuse(f"parameters.{problem.field}", problem.value, problem.rule)
         if parameters is not None:
             yield Setup(mission, flown_by, parameters)
 
 
-def _vehicle(document: Document, named: str, folder: Path) -> Vehicle | None:
-    try:
-        beside = folder / named
-        return load_vehicle(str(beside) if beside.suffix == ".toml" else named)
-    except (ProblemsError, OSError) as error:
-        reason = str(error.problems[0]) if isinstance(error, ProblemsError) else "cannot be read"
-        document.refuse("vehicle", named, reason)
-        return None
-
-
-def _mission(
-    document: Document, place: str, named: str | dict[str, Any], vehicle: Vehicle | None, folder: Path
-) -> Mission | None:
-    """A mission written out, in a file beside the campaign, or shipped."""
-    from bumpless.campaign.mission_text import as_yaml
-
-    if isinstance(named, dict):
-        text, source = as_yaml(named), document.source
-    else:
-        options = (folder / named, missions_folder() / f"{named}.yaml")
-        file = next((path for path in options if path.is_file()), None)
-        if file is None:
-            document.refuse(
-                place, named, "no such file beside the campaign, and no mission of that name ships"
-            )
-            return None
-        try:
-            text, source = file.read_bytes().decode(), file.name
-        except (OSError, UnicodeDecodeError):
-            document.refuse(place, named, "cannot be read as UTF-8 text")
-            return None
-    try:
-        return parse_mission(text, source, vehicle, any_vehicle=True)
-    except MissionError as error:
-        for problem in error.problems:
-            inside = isinstance(named, dict)
-            field = f"{place}.{problem.field}" if inside else place
-            document.refuse(
-                field, problem.value if inside else named, problem.rule if inside else str(problem)
-            )
-        return None
-
-
-def _overrides(document: Document, campaign: Campaign, folder: Path) -> list[Mapping[str, Any]]:
+def _overrides(file: YamlText, campaign: Campaign, folder: Path) -> list[Mapping[str, Any]]:
     """The parameter file's numbers, then the campaign's own."""
     found: list[Mapping[str, Any]] = []
     if campaign.parameters_file is not None:
         try:
             found.append(tomllib.loads((folder / campaign.parameters_file).read_text(encoding="utf-8")))
         except (OSError, ValueError) as error:
-            document.refuse("parameters_file", campaign.parameters_file, f"cannot be read: {error}")
+            file.refuse("parameters_file", campaign.parameters_file, f"cannot be read: {error}")
     return [*found, campaign.parameters]

@@ -1,6 +1,7 @@
 """One flight of a campaign by itself, to be flown again whole and logged."""
 
 from dataclasses import replace
+from typing import NamedTuple
 
 from bumpless.campaign.drawn import drawn_mission, drawn_vehicle
 from bumpless.campaign.mission_text import mission_text
@@ -11,11 +12,17 @@ from bumpless.config.parameters import Parameters
 from bumpless.config.vehicle import Vehicle
 
 
-def replayed(prepared: Prepared, number: int) -> tuple[Mission, Vehicle, Parameters, Alteration]:
-    """Mission with its seed, vehicle, parameters and the plant's alteration of flight `number`.
+class Replay(NamedTuple):
+    """What `simulate` needs to fly one number of a campaign; the mission has its seed."""
 
-    The mission's text is that of the drawn mission, so a log that carries it says what was flown.
-    """
+    mission: Mission
+    vehicle: Vehicle
+    parameters: Parameters
+    alteration: Alteration
+
+
+def replayed(prepared: Prepared, number: int) -> Replay:
+    """Flight `number`. The mission's text is that of the drawn mission: a log of it says what was flown."""
     setup, values = prepared.setup(number), prepared.values(number)
     vehicle, alteration = drawn_vehicle(setup.vehicle, values), Alteration.of(values)
     mission = replace(
@@ -24,9 +31,7 @@ def replayed(prepared: Prepared, number: int) -> tuple[Mission, Vehicle, Paramet
         summary=f"Flight {number} of campaign {prepared.campaign.name}: {alteration}",
     )
     named = f"{prepared.campaign.name}-{number}.yaml"
-    return (
-        parse_mission(mission_text(mission), named, vehicle, any_vehicle=True),
-        vehicle,
-        setup.parameters,
-        alteration,
+    text = mission_text(mission)
+    return Replay(
+        parse_mission(text, named, vehicle, any_vehicle=True), vehicle, setup.parameters, alteration
     )

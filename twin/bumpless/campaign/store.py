@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 from bumpless.campaign.columns import schema_of
 from bumpless.campaign.flight import Row
+from bumpless.campaign.plain import plain
 from bumpless.campaign.prepared import Prepared
 
 try:
@@ -147,7 +148,7 @@ def _write_manifest(folder: Path, prepared: Prepared) -> None:
 
 def manifest(prepared: Prepared) -> dict[str, Any]:
     """What the flights belong to."""
-    return {"identity": prepared.identity(), "campaign": prepared.campaign.model_dump(mode="json")}
+    return {"identity": prepared.identity(), "campaign": plain(prepared.campaign)}
 
 
 def missing(done: set[int], numbers: Iterable[int]) -> list[int]:

@@ -5,14 +5,17 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from bumpless.campaign.outcome import OUTCOMES
+from bumpless.metrics.outcome import Ending
 
 if TYPE_CHECKING:
     import pyarrow as pa
 
 CONFIDENCE = 0.95
 WORST = 20
-SEVERITY = ("collided", "aborted", "interrupted", "time_over", "waved_off", "held", "docked")  # worst first
+SEVERITY = (  # worst first
+    Ending.COLLIDED, Ending.ABORTED, Ending.INTERRUPTED, Ending.TIME_OVER, Ending.WAVED_OFF, Ending.HELD,
+    Ending.DOCKED,
+)  # fmt: skip
 FIGURES = (
     "time_s", "end_range_m", "end_heading_deg", "end_speed_mps", "largest_step", "energy_j",
     "forward_depth_m_rms", "reverse_depth_m_rms", "hover_depth_m_rms", "hover_heading_deg_rms",
@@ -76,10 +79,10 @@ def summary_of(table: "pa.Table") -> Summary:
         text = f"{outcome}: {reason}"
         counts[text] = counts.get(text, 0) + 1
     total = table.num_rows
-    shares = {name: share_of(int(np.sum(outcomes == name)), total) for name in OUTCOMES}
+    shares = {end.value: share_of(int(np.sum(outcomes == end.value)), total) for end in Ending}
     return Summary(
         flights=total,
-        docked=shares["docked"],
+        docked=shares[Ending.DOCKED.value],
         outcomes=shares,
         reasons=dict(sorted(counts.items(), key=lambda item: (-item[1], item[0]))),
         spreads=tuple(_spread(table, name) for name in FIGURES),

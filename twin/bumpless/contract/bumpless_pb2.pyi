@@ -390,18 +390,20 @@ class Parameters(_message.Message):
     def __init__(self, forward: _Optional[_Union[ModeParameters, _Mapping]] = ..., reverse: _Optional[_Union[ModeParameters, _Mapping]] = ..., hover: _Optional[_Union[ModeParameters, _Mapping]] = ..., supervisor: _Optional[_Union[SupervisorParameters, _Mapping]] = ..., bumpless: _Optional[_Union[BumplessParameters, _Mapping]] = ...) -> None: ...
 
 class ParametersStatus(_message.Message):
-    __slots__ = ("stamp", "active", "revision", "sha256", "defaults")
+    __slots__ = ("stamp", "active", "revision", "sha256", "defaults", "parameters_json")
     STAMP_FIELD_NUMBER: _ClassVar[int]
     ACTIVE_FIELD_NUMBER: _ClassVar[int]
     REVISION_FIELD_NUMBER: _ClassVar[int]
     SHA256_FIELD_NUMBER: _ClassVar[int]
     DEFAULTS_FIELD_NUMBER: _ClassVar[int]
+    PARAMETERS_JSON_FIELD_NUMBER: _ClassVar[int]
     stamp: Stamp
     active: Parameters
     revision: int
     sha256: str
     defaults: Parameters
-    def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., active: _Optional[_Union[Parameters, _Mapping]] = ..., revision: _Optional[int] = ..., sha256: _Optional[str] = ..., defaults: _Optional[_Union[Parameters, _Mapping]] = ...) -> None: ...
+    parameters_json: str
+    def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., active: _Optional[_Union[Parameters, _Mapping]] = ..., revision: _Optional[int] = ..., sha256: _Optional[str] = ..., defaults: _Optional[_Union[Parameters, _Mapping]] = ..., parameters_json: _Optional[str] = ...) -> None: ...
 
 class VehicleDescription(_message.Message):
     __slots__ = ("stamp", "vehicle_id", "vehicle_name", "vehicle_toml", "sha256", "software_version", "control_period_s", "actuator_names", "session_id")

@@ -3,18 +3,15 @@
 Both sides of the bus, the log and the tests read this table; nothing else spells a key.
 """
 
-import re
 from dataclasses import dataclass
 
-from google.protobuf import descriptor_pb2
 from google.protobuf.message import Message
 
 from bumpless.contract import bumpless_pb2 as pb
+from bumpless.contract import names
 
 ROOT = "bumpless"
 ENCODING_PREFIX = "application/protobuf;"
-VEHICLE_ID_RULE = "1 to 32 of a-z, 0-9, '-' and '_', first a letter or digit"
-_VEHICLE_ID = re.compile(r"[a-z0-9][a-z0-9_-]{0,31}")
 
 
 @dataclass(frozen=True)
@@ -54,6 +51,12 @@ TOPICS: dict[str, Topic] = {
     )
 }
 
+# topic as logs and streams name it -> message: all that a vehicle says
+SAID: dict[str, type[Message]] = {f"tlm/{name}": topic.message for name, topic in TOPICS.items()} | {
+    "event": pb.Event,
+    "truth/state": pb.TruthState,
+}
+
 # verb -> request message; every command answers with CommandReply
 COMMANDS: dict[str, type[Message]] = {
     "start": pb.StartMission,
@@ -66,10 +69,8 @@ COMMANDS: dict[str, type[Message]] = {
 
 
 def check_vehicle_id(vehicle: str) -> str:
-    """Return `vehicle` when it can be part of a key, else raise ValueError with the rule."""
-    if not _VEHICLE_ID.fullmatch(vehicle):
-        raise ValueError(f"vehicle id {vehicle!r}: must be {VEHICLE_ID_RULE}")
-    return vehicle
+    """Return `vehicle` when it can be part of a key, else raise BadName with the rule."""
+    return names.VEHICLE.check(vehicle, "vehicle id")
 
 
 def telemetry(vehicle: str, topic: str) -> str:
@@ -133,10 +134,3 @@ def schema_of(encoding: str) -> str:
     if not encoding.startswith(ENCODING_PREFIX):
         raise ValueError(f"encoding {encoding!r} does not name a protobuf message")
     return encoding[len(ENCODING_PREFIX) :]
-
-
-def descriptor_set() -> bytes:
-    """The contract as a serialised FileDescriptorSet, as Zenoh's schema key and MCAP want it."""
-    files = descriptor_pb2.FileDescriptorSet()
-    pb.DESCRIPTOR.CopyToProto(files.file.add())
-    return files.SerializeToString(deterministic=True)

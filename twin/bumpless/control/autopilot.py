@@ -1,187 +1,184 @@
-"""One control step, fit to run on a real vehicle: measurements in, commands out.
+"""One control cycle, fit to run on a real vehicle: measurements in, commands out.
 
 Order of the paper's loop (Gao et al. 2026, fig. 7 and 8): navigation, supervisor, guidance, PID,
-switching, allocation. Everything it remembers is in one AUTOPILOT record.
+switching, allocation. `autopilot_cycle` is handed the ONBOARD record and a MEASUREMENT and nothing else; the
+commands are onboard.state.allocation.u (8,), rad and rev/s.
 """
 
-from math import exp, hypot
+from math import hypot, sqrt
 
-from bumpless.control.allocation.baselines import allocate_direct, allocate_wls
-from bumpless.control.allocation.bounds import command_bounds, limited_channels
-from bumpless.control.allocation.easing import missed_wrench
-from bumpless.control.allocation.mdca import INFEASIBLE, REFUSED, allocate_mdca
-from bumpless.control.effectiveness.step import believe_estimate, estimate_effectiveness, reset_estimator
-from bumpless.control.guidance import guide, observation_point
+from bumpless.contract.enums import ABORTED, COMPLETED, FORWARD, HOVER, IDLE, PAUSED, RUNNING
+from bumpless.control.allocation.allocate import achieve, allocate
+from bumpless.control.allocation.slack import report_slack, soften
+from bumpless.control.effectiveness.step import believe_faults, estimate_effectiveness
+from bumpless.control.flow import see_flow, smooth_flow
+from bumpless.control.guidance.guide import guide
+from bumpless.control.guidance.station import observation_point
 from bumpless.control.navigation import navigate
-from bumpless.control.pid import demand, gain_share, smooth_errors, tracking_error
-from bumpless.control.supervisor import filter_detection, supervise
-from bumpless.control.switching import begin_ramp, blend, report_slack, soften, transition_factor
+from bumpless.control.pid import (
+    align_integrals,
+    carry_integrals,
+    demand,
+    note_unmet,
+    smooth_errors,
+    tracking_error,
+)
+from bumpless.control.schedule import gain_share, schedule_gains
+from bumpless.control.stop import stop_actuators
+from bumpless.control.supervisor import change_mode, count_hover, filter_detection, supervise
+from bumpless.control.switching import begin_ramp, blend, limit_increments, transition_factor
 from bumpless.jit import jit
-from bumpless.jit.clock import monotonic
-from bumpless.physics.actuators import total_wrench
-from bumpless.records import HOVER, MDCA, WLS
-
-_LONG_AGO = -1_000_000_000
 
 
 @jit
-def reset_autopilot(modes, plan, model, a):
-    """Bring `a` to the start of a mission: forward mode, settled, actuators at rest."""
-    for k in range(6):
-        a.eta[k] = plan.start[k]
-        a.nu[k] = 0.0
-        a.integral[k] = a.bias[k] = a.reference[k] = 0.0
-        a.tau_d[k] = a.tau_c[k] = a.tau_plus[k] = a.tau_minus[k] = a.slack[k] = 0.0
-        a.Q[k] = a.Q_minus[k] = a.Q_mode[k] = modes[0].Q[k]
-        a.smooth_error[k] = a.smooth_rate[k] = 0.0
-        a.limited[k] = 0
-        a.K_I[k] = modes[0].K_I[k]
-    for i in range(a.u.shape[0]):
-        a.u[i] = 0.0
-        a.R[i] = a.R_minus[i] = modes[0].R[i]
-        a.effectiveness[i] = 1.0
-    for k in range(3):
-        a.target[k] = plan.target[k]
-        a.current[k] = 0.0
-    a.lam = a.lam_minus = modes[0].lam
-    a.increment_share = a.increment_share_minus = a.step_share = modes[0].increment_share
-    a.increment_price = a.fault_share = 0.0
-    a.cycle = a.fixes = a.leg = a.mode = a.previous_mode = 0
-    a.history = a.hold_left = a.detected = a.holding = a.hover_cycles = 0
-    a.switch_cycle = a.ramp_cycle = _LONG_AGO
-    a.ramp_length = 0.0
-    a.kappa = 1.0
-    a.b = a.alpha = a.time = 0.0
-    a.reference[2] = plan.start[2]
-    a.reference[5] = plan.start[5]
-    a.reference[0] = plan.start_speed
-    reset_estimator(a.estimator)
-    a.sway = 1 if model.controllable[1] > 0.0 else 0
+def autopilot_cycle(handle, onboard, m):
+    """Advance the ONBOARD record by one cycle in whatever phase it is, with the MEASUREMENT m.
 
-
-@jit
-def believe_faults(settings, plan, a):
-    """Effectiveness as the allocator believes it: known or estimated when fault tolerant, nominal otherwise.
-    a.fault_share says how far a fault is blended in."""
-    a.fault_share = 0.0
-    for i in range(a.effectiveness.shape[0]):
-        a.effectiveness[i] = 1.0
-    if settings.fault_tolerant == 1 and settings.estimate == 1:
-        believe_estimate(settings, a.effectiveness.shape[0], a)
-    elif settings.fault_tolerant == 1:
-        for f in range(plan.n_faults):
-            elapsed = a.time - plan.fault_time[f]
-            if elapsed > 0.0:
-                share = min(1.0, elapsed / plan.fault_blend[f]) if plan.fault_blend[f] > 0.0 else 1.0
-                a.fault_share = max(a.fault_share, share)
-                if settings.degraded_map == 1:
-                    a.effectiveness[plan.fault_actuator[f]] = 1.0 + share * (
-                        plan.fault_effectiveness[f] - 1.0
-                    )
-
-
-@jit
-def allocate(handle, settings, model, a, w):
-    """Commands of this cycle for a.tau_d, by the chosen allocator, and the wrench they achieve."""
-    started = monotonic()  # pyright: ignore[reportCallIssue]
-    feasible = command_bounds(model, a.u, settings.dt * a.step_share, a.u_lower, a.u_upper, a.du_max)
-    if settings.allocator == MDCA:
-        for k in range(6):
-            w.demand[k] = a.tau_d[k]
-        if settings.easing_made_up == 1:
-            missed_wrench(model, a.u, a.effectiveness, w.missed)
-            for k in range(6):
-                a.tau_d[k] += w.missed[k]
-        allocate_mdca(handle, settings, model, a, w)
-        for k in range(6):
-            a.tau_d[k] = w.demand[k]
-    elif settings.allocator == WLS:
-        allocate_wls(model, a, w)
+    handle: of the QP solver, see `allocation.qp`. While IDLE the measurement is not looked at.
+    """
+    settings, orders, s, out = onboard.settings, onboard.orders, onboard.state, onboard.output
+    phase = orders.phase
+    if phase != IDLE:
+        locate(settings, onboard.sensors, m, s, out.navigation)
+    if phase == IDLE or phase == ABORTED:
+        see_flow(settings.guidance, s.navigation.smooth_nu_r, out.navigation.nu_flow)
+        stop_actuators(settings.dt, onboard.model, out.navigation.nu_flow, s, out)
     else:
-        allocate_direct(settings, model, a, w)
-    if not feasible and a.status != REFUSED:
-        a.status = INFEASIBLE
-    a.solve_time = monotonic() - started  # pyright: ignore[reportCallIssue]
-    total_wrench(model, a.u, a.effectiveness, a.nu_r, a.tau_c)
-    report_slack(settings, a)
-    limited_channels(model, a.u, a.u_lower, a.u_upper, w.jacobian, a.limited)
+        fly_cycle(handle, onboard, m)
+    orders.change = 0
+    s.clock.cycle += 1
+    s.clock.time += settings.dt
+    if phase == RUNNING and is_completed(onboard.plan, s.clock.cycle, s.supervisor.hover_cycles):
+        orders.phase = COMPLETED
 
 
 @jit
-def smooth_flow(settings, a):
-    """Lag a.nu_r (6,), so that noise of the velocity log does not reach the fins through the map.
-
-    Of sway and heave, and of the turning rates, only a share may be seen: what fins do by themselves against
-    drift and turning then stays with the hull, steadying it, instead of being undone. With no share of either
-    the map is the published one, alpha = delta. Source: Gao et al. 2026, eq. (15) and below.
-    """
-    t = settings.flow_filter
-    k = 1.0 - exp(-settings.dt / t) if t > 0.0 and a.cycle > 0 else 1.0
-    for i in range(6):
-        a.flow[i] += k * (a.nu_r[i] - a.flow[i])
-        a.nu_r[i] = a.flow[i]
-        if i > 0:
-            a.nu_r[i] *= settings.flow_drift if i < 3 else settings.flow_rates
+def is_completed(plan, cycle, hover_cycles):
+    """Whether the mission's hold has lasted, or its time is up."""
+    return (plan.hold_cycles > 0 and hover_cycles >= plan.hold_cycles) or cycle >= plan.cycles
 
 
 @jit
-def change_mode(a, mode):
-    """Enter `mode` in this cycle."""
-    a.previous_mode, a.mode = a.mode, mode
-    a.switch_cycle = a.cycle
+def locate(settings, sensors, m, s, out):
+    """Where the vehicle is and how it moves through water; fills the NAVIGATION_OUTPUT. s: STATE."""
+    navigation, first = s.navigation, s.clock.cycle == 0
+    navigate(settings.dt, s.clock, sensors, m, navigation, out)
+    smooth_flow(settings.dt, settings.guidance, first, out.nu_r, navigation.smooth_nu_r)
 
 
 @jit
-def autopilot_step(handle, settings, modes, sensors, plan, model, m, a, w, change, work):
-    """Advance the autopilot record `a` by one cycle; its commands are a.u (8,), rad and rev/s.
-
-    change: 1 when parameters or the hold state were changed since the last cycle, so that a ramp
-    begins without a mode switch. work: scratch, at least 9 floats.
-    """
-    navigate(settings, sensors, m, a, work)
-    if settings.estimate == 1:
-        estimate_effectiveness(settings, sensors, model, m, a)
-    smooth_flow(settings, a)
+def fly_cycle(handle, onboard, m):
+    """From a located vehicle to its commands."""
+    settings, plan, model, s = onboard.settings, onboard.plan, onboard.model, onboard.state
+    out, cycle, dt = onboard.output, onboard.state.clock.cycle, onboard.settings.dt
+    holding = onboard.orders.phase == PAUSED
+    if settings.allocation.estimate == 1:
+        estimate_effectiveness(
+            dt, settings.allocation.fault_evidence, onboard.sensors, model, m, s.navigation,
+            s.estimator, onboard.scratch.estimator,
+        )  # fmt: skip
     if m.fresh == 1:
-        filter_detection(settings, a, m.detected)
-    point = work[6:9]
-    observation_point(plan, a, point)
-    a.range = hypot(point[0] - a.eta[0], point[1] - a.eta[1])
-    if a.holding == 0:
-        mode = supervise(settings, a, a.leg >= plan.n_legs)
-        if mode != a.mode:
-            change_mode(a, mode)
-            change = 1
-    guide(settings, plan, a, point, work)
-    tracking_error(a)
-    smooth_errors(settings, a)
-    a.schedule = gain_share(settings, a)
-    gains = modes[HOVER if a.holding == 1 else a.mode]
-    if change == 1:
-        begin_ramp(settings, gains, a)
-    a.kappa = transition_factor(settings, a)
-    believe_faults(settings, plan, a)
-    demand(settings, gains, a)
-    for k in range(6):
-        a.tau_plus[k] *= model.controllable[k]
-    blend(settings, gains, a)
-    soften(settings, a)
-    allocate(handle, settings, model, a, w)
-    in_place = a.mode == HOVER and a.holding == 0 and a.range <= settings.d_rh_u
-    a.hover_cycles = a.hover_cycles + 1 if in_place else 0
-    a.cycle += 1
-    a.time += settings.dt
+        filter_detection(settings.supervisor, m.detected, s.supervisor)
+    situation = out.situation
+    look(plan, s.navigation, situation)
+    switched = onboard.orders.change == 1
+    if not holding:
+        going_around = s.guidance.leg >= plan.n_legs
+        mode = supervise(settings.supervisor, s.supervisor, cycle, situation.range, going_around)
+        if mode != s.supervisor.mode:
+            change_mode(mode, cycle, s.supervisor)
+            switched = True
+    count_hover(settings.supervisor, situation.range, holding, s.supervisor)
+    orient(settings.supervisor, onboard.orders, s, situation)
+    sway = model.controllable[1] > 0.0
+    guide(dt, settings.guidance, plan, s.navigation, situation, sway, s.guidance, out.guidance)
+    regulate(settings, plan, model, situation.mode, switched, s, out)
+    command(handle, onboard)
 
 
 @jit
-def stop_actuators(settings, model, a):
-    """Bring every actuator to rest as fast as its increment bound allows; nothing is demanded."""
-    command_bounds(model, a.u, settings.dt, a.u_lower, a.u_upper, a.du_max)
-    for i in range(model.n_u):
-        a.u[i] = min(max(0.0, a.u_lower[i]), a.u_upper[i])
+def look(plan, navigation, situation):
+    """Fill the observation point and the range to it, m."""
+    station, eta = situation.station, navigation.eta
+    observation_point(navigation.target, plan.target[3], plan.standoff, station)
+    station[3] = plan.target[3]
+    situation.range = hypot(station[0] - eta[0], station[1] - eta[1])
+
+
+@jit
+def orient(settings, orders, s, situation):
+    """Fill the rest of the SITUATION. settings: SUPERVISOR_SETTINGS; s: STATE."""
+    holding = orders.phase == PAUSED
+    situation.mode = HOVER if holding else s.supervisor.mode
+    situation.holding = 1 if holding else 0
+    if holding:
+        for k in range(4):
+            situation.station[k] = orders.hold_point[k]
+    situation.detected = s.supervisor.detected
+    situation.slow = 1 if situation.range < settings.d_fr_l else 0
+    situation.u_r = s.navigation.smooth_nu_r[0]
+    situation.adapt = 1 if s.switching.kappa >= 1.0 else 0
+    situation.first = 1 if s.clock.cycle == 0 else 0
+
+
+@jit
+def regulate(settings, plan, model, mode, switched, s, out):
+    """From references to the demand in force, s.switching.now.
+
+    mode: whose gains and weights count; switched: a ramp into them begins in this cycle. s: STATE; out:
+    OUTPUT.
+    """
+    navigation, pid, switching, gains = s.navigation, s.pid, s.switching, out.gains
+    errors, chosen = pid.smooth, settings.modes[mode - FORWARD]
+    cycle, dt = s.clock.cycle, settings.dt
+    tracking_error(s.guidance.reference, navigation.eta, navigation.nu, out.navigation.depth_rate, out.errors)
+    smooth_errors(dt, settings.guidance, cycle == 0, out.errors, errors)
+    share = gain_share(settings.guidance, navigation.smooth_nu_r[0])
+    if switched:
+        begin_ramp(cycle, chosen, switching)
+        carry_integrals(settings.bumpless.integral_at_switch, chosen, pid)
+        if settings.bumpless.align == 1:
+            schedule_gains(settings, chosen, share, s.belief.fault_share, switching.kappa, gains)
+            align_integrals(settings.bumpless, chosen, gains, errors, s.allocation.tau_c, pid)
+    switching.kappa = transition_factor(settings.bumpless, cycle, switching)
+    believe_faults(settings.allocation, dt, s.clock.time, plan.faults, s.estimator, s.belief)
+    schedule_gains(settings, chosen, share, s.belief.fault_share, switching.kappa, gains)
+    demand(gains, errors, pid, out.tau_plus)
     for k in range(6):
-        a.tau_d[k] = a.tau_plus[k] = a.tau_minus[k] = a.integral[k] = a.bias[k] = 0.0
-    total_wrench(model, a.u, a.effectiveness, a.nu_r, a.tau_c)
-    a.status, a.iterations, a.kkt, a.cost, a.solve_time = 1, 0, 0.0, 0.0, 0.0
-    a.cycle += 1
-    a.time += settings.dt
+        out.tau_plus[k] *= model.controllable[k]
+    blend(chosen, out.tau_plus, switching)
+    limit_increments(settings.bumpless, settings.allocation.increment_price, switching, out.switching)
+
+
+@jit
+def pose(settings, s, out):
+    """Fill the PROBLEM but for its bounds and tau_d, from what is in force. s: STATE; out: OUTPUT."""
+    p, now = out.problem, s.switching.now
+    p.dt, p.warm, p.refused = settings.dt, settings.bumpless.project, s.allocation.refused
+    p.lam, p.increment_price = now.lam, out.switching.increment_price
+    see_flow(settings.guidance, s.navigation.smooth_nu_r, out.navigation.nu_flow)
+    for k in range(6):
+        p.nu_flow[k] = out.navigation.nu_flow[k]
+    for i in range(p.R.shape[0]):
+        p.R[i], p.u_previous[i] = now.R[i], s.allocation.u[i]
+        p.effectiveness[i] = s.belief.effectiveness[i]
+    soften(settings.allocation, now.Q, s.belief.fault_share, p.Q)
+
+
+@jit
+def command(handle, onboard):
+    """From the demand to commands, and to what is remembered of how well it was met."""
+    settings, model, s, out = onboard.settings, onboard.model, onboard.state, onboard.output
+    p, solution, w = out.problem, out.solution, onboard.scratch.allocation
+    memory, now = s.allocation, s.switching.now
+    pose(settings, s, out)
+    share = gain_share(settings.guidance, s.navigation.smooth_nu_r[0])
+    surge = settings.guidance.schedule_speed * sqrt(share)
+    step_share = out.switching.step_share
+    allocate(handle, settings.allocation, model, now.tau_d, step_share, surge, p, solution, w)
+    achieve(model, p, solution, memory.tau_c, w)
+    report_slack(settings.allocation, now.Q, s.belief.fault_share, now.tau_d, memory.tau_c, solution.slack)
+    note_unmet(now.tau_d, memory.tau_c, w.limited, s.pid)
+    memory.refused = solution.refused
+    for i in range(model.n_u):
+        memory.u[i] = solution.u[i]

@@ -4,11 +4,17 @@ Small fixed-gain filters: the estimate must be smooth enough for derivative acti
 jump when a sample is missing. The autopilot works on this estimate alone.
 """
 
-from math import exp, isfinite
+from math import isfinite
+
+import numpy as np
 
 from bumpless.jit import inline, jit
+from bumpless.jit.memory import floats
 from bumpless.physics.frames import body_to_ned, ned_to_body, wrap
+from bumpless.physics.lag import lag
 from bumpless.physics.sensors import target_position
+
+f8, i8 = np.float64, np.int64
 
 _T_VELOCITY = 0.25  # s, smoothing of DVL velocity
 _T_DEPTH = 0.5  # s, depth sensor against integrated heave
@@ -16,6 +22,35 @@ _T_RATE = 0.08  # s, smoothing of gyro rates
 _T_ATTITUDE = 0.15  # s, INS attitude against integrated rates
 _T_CURRENT = 8.0  # s, current estimate
 _T_TARGET = 0.6  # s of camera frames, target estimate
+
+CLOCK = np.dtype(
+    [
+        ("cycle", i8),  # k
+        ("time", f8),  # s since the mission began
+    ],
+    align=True,
+)
+
+NAVIGATION_STATE = np.dtype(
+    [
+        ("eta", f8, 6),
+        ("nu", f8, 6),
+        ("current", f8, 3),  # NED, m/s
+        ("target", f8, 3),  # NED, m
+        ("fixes", i8),  # of the target so far
+        ("smooth_nu_r", f8, 6),  # nu_r after the lag of `smooth_flow`
+    ],
+    align=True,
+)
+
+NAVIGATION_OUTPUT = np.dtype(
+    [
+        ("nu_r", f8, 6),  # velocity through water: nu minus the current
+        ("depth_rate", f8),  # m/s
+        ("nu_flow", f8, 6),  # what the allocator may see of the velocity through water
+    ],
+    align=True,
+)
 
 
 @inline
@@ -25,46 +60,53 @@ def follow(value, sample, gain):
 
 
 @jit
-def navigate(settings, sensors, m, a, work):
-    """Update the autopilot record `a` from the measurement `m`. work: scratch, at least 6 floats."""
-    dt = settings.dt
-    ned = work[0:3]
-    fresh_start = a.cycle == 0
-    k_rate = 1.0 if fresh_start else 1.0 - exp(-dt / _T_RATE)
-    k_att = 1.0 if fresh_start else 1.0 - exp(-dt / _T_ATTITUDE)
+def navigate(dt, clock, sensors, m, state, out):
+    """Update the NAVIGATION_STATE `state` from the measurement `m`; fill out.nu_r and out.depth_rate."""
+    ned = floats(3)
+    fresh_start = clock.cycle == 0
+    k_rate = 1.0 if fresh_start else lag(dt, _T_RATE)
+    k_att = 1.0 if fresh_start else lag(dt, _T_ATTITUDE)
+    eta, nu = state.eta, state.nu
     for k in range(3):
-        a.nu[3 + k] = follow(a.nu[3 + k], m.rates[k], k_rate)
-        predicted = a.eta[3 + k] + dt * a.nu[3 + k]
+        nu[3 + k] = follow(nu[3 + k], m.rates[k], k_rate)
+        predicted = eta[3 + k] + dt * nu[3 + k]
         seen = m.attitude[k] if isfinite(m.attitude[k]) else predicted
-        a.eta[3 + k] = wrap(predicted + k_att * wrap(seen - predicted))
+        eta[3 + k] = wrap(predicted + k_att * wrap(seen - predicted))
 
     if m.velocity_valid == 1:
         elapsed = dt * max(1, sensors.dvl_period)
-        k_vel = 1.0 if fresh_start else 1.0 - exp(-elapsed / _T_VELOCITY)
-        k_cur = max(1.0 - exp(-elapsed / _T_CURRENT), elapsed / (elapsed + a.time))  # a mean at first
+        k_vel = 1.0 if fresh_start else lag(elapsed, _T_VELOCITY)
+        k_cur = max(lag(elapsed, _T_CURRENT), elapsed / (elapsed + clock.time))  # a mean at first
         for k in range(3):
-            a.nu[k] = follow(a.nu[k], m.velocity[k], k_vel)
+            nu[k] = follow(nu[k], m.velocity[k], k_vel)
             ned[k] = m.velocity[k] - m.water_velocity[k]
-        body_to_ned(a.eta[3], a.eta[4], a.eta[5], ned, ned)
+        body_to_ned(eta[3], eta[4], eta[5], ned, ned)
         for k in range(3):
-            a.current[k] = follow(a.current[k], ned[k], k_cur)
+            state.current[k] = follow(state.current[k], ned[k], k_cur)
 
-    body_to_ned(a.eta[3], a.eta[4], a.eta[5], a.nu, ned)
+    body_to_ned(eta[3], eta[4], eta[5], nu, ned)
     for k in range(3):
-        a.eta[k] += dt * ned[k]
-    a.depth_rate = ned[2]
-    k_depth = 1.0 if fresh_start else 1.0 - exp(-dt / _T_DEPTH)
-    a.eta[2] = follow(a.eta[2], m.depth, k_depth)
+        eta[k] += dt * ned[k]
+    out.depth_rate = ned[2]
+    k_depth = 1.0 if fresh_start else lag(dt, _T_DEPTH)
+    eta[2] = follow(eta[2], m.depth, k_depth)
 
-    ned_to_body(a.eta[3], a.eta[4], a.eta[5], a.current, ned)
+    ned_to_body(eta[3], eta[4], eta[5], state.current, ned)
     for k in range(3):
-        a.nu_r[k] = a.nu[k] - ned[k]
-        a.nu_r[3 + k] = a.nu[3 + k]
+        out.nu_r[k] = nu[k] - ned[k]
+        out.nu_r[3 + k] = nu[3 + k]
 
     if m.fresh == 1 and m.detected == 1:
-        target_position(sensors, a.eta, m.target, ned)
-        gain = 1.0 - exp(-dt * max(1, sensors.camera_period) / _T_TARGET)
-        gain = max(gain, 1.0 / (1.0 + a.fixes))  # the first fixes replace the planned place
-        for k in range(3):
-            a.target[k] = follow(a.target[k], ned[k], gain)
-        a.fixes += 1
+        find_target(dt, sensors, m.target, state)
+
+
+@jit
+def find_target(dt, sensors, view, state):
+    """Take in one sight of the target: view (3,) = range m, bearing and elevation rad in camera axes."""
+    ned = floats(3)
+    target_position(sensors, state.eta, view, ned)
+    gain = lag(dt * max(1, sensors.camera_period), _T_TARGET)
+    gain = max(gain, 1.0 / (1.0 + state.fixes))  # the first fixes replace the planned place
+    for k in range(3):
+        state.target[k] = follow(state.target[k], ned[k], gain)
+    state.fixes += 1

@@ -1,80 +1,93 @@
-"""Bumpless switching: the ramp kappa, frozen pre-switch values, aligned integrals.
+"""Bumpless switching: the ramp kappa and frozen pre-switch values.
 
-Source: Gao et al. 2026, eq. (54)-(56), Proposition 1. The same ramp blends in parameters that an
-operator changes while a mission runs.
+Source: Gao et al. 2026, eq. (54)-(55), Proposition 1; what becomes of the integrals, eq. (56), is in `pid`.
+The same ramp blends in parameters that an operator changes while a mission runs.
 Beyond the paper: a mode may own a share of the increment bound, which ramps as the weights do; the ramp
-may tighten that bound further, or price increments; once a fault is known Q carries priorities and slack.
+may tighten that bound further, or price increments.
 """
 
-from bumpless.control.pid import align_integrals, carry_integrals
+import numpy as np
+
+from bumpless.config.capacity import MAX_ACTUATORS as _n
+from bumpless.config.parameters.records import section_dtype, word_codes
 from bumpless.jit import jit
 
+f8, i8 = np.float64, np.int64
+
+KEEP, RESCALE, RESET = word_codes("bumpless", "integral_at_switch")  # of integrals that are not aligned
+
+SWITCHING_SETTINGS = section_dtype("bumpless")
+
+MODE_SETTINGS = section_dtype("forward")  # of each mode
+
+BLENDED = np.dtype(  # what the ramp blends
+    [
+        ("tau_d", f8, 6),  # N and N m
+        ("Q", f8, 6),  # before priorities and slack
+        ("R", f8, _n),
+        ("lam", f8),
+        ("increment_share", f8),
+    ],
+    align=True,
+)
+
+SWITCHING_STATE = np.dtype(
+    [
+        ("ramp_cycle", i8),  # k at which the present ramp began
+        ("ramp_length", f8),  # cycles
+        ("kappa", f8),
+        ("now", BLENDED),  # in force
+        ("minus", BLENDED),  # frozen when the ramp began
+    ],
+    align=True,
+)
+
+SWITCHING_OUTPUT = np.dtype(
+    [
+        ("step_share", f8),  # of the rate limit, in force in this cycle
+        ("increment_price", f8),
+    ],
+    align=True,
+)
+
 
 @jit
-def begin_ramp(settings, gains, a):
-    """Start a transition in this cycle: freeze what is in force and align the integrals.
-
-    gains: MODE_CONTROL of the mode to come. With the ramp switched off kappa is 1 at once.
-    """
-    a.ramp_cycle = a.cycle
-    a.ramp_length = gains.n_sw
+def begin_ramp(cycle, mode, switching):
+    """Start a transition into `mode` (MODE_SETTINGS) in this cycle: freeze what is in force."""
+    switching.ramp_cycle, switching.ramp_length = cycle, mode.n_sw
+    now, minus = switching.now, switching.minus
     for i in range(6):
-        a.tau_minus[i] = a.tau_d[i]
-        a.Q_minus[i] = a.Q_mode[i]
-    for i in range(a.R.shape[0]):
-        a.R_minus[i] = a.R[i]
-    a.lam_minus = a.lam
-    a.increment_share_minus = a.increment_share
-    carry_integrals(settings, gains, a)
-    if settings.align == 1:
-        align_integrals(settings, gains, a, a.tau_c)
+        minus.tau_d[i], minus.Q[i] = now.tau_d[i], now.Q[i]
+    for i in range(now.R.shape[0]):
+        minus.R[i] = now.R[i]
+    minus.lam, minus.increment_share = now.lam, now.increment_share
 
 
 @jit
-def transition_factor(settings, a):
-    """kappa of eq. (54): 0 in the cycle of the switch, 1 after N_sw cycles."""
-    if settings.ramp == 0 or a.ramp_length <= 0.0:
+def transition_factor(settings, cycle, switching):
+    """kappa of eq. (54): 0 in the cycle of the switch, 1 after N_sw cycles; 1 at once without a ramp."""
+    if settings.ramp == 0 or switching.ramp_length <= 0.0:
         return 1.0
-    return min(1.0, max(0.0, (a.cycle - a.ramp_cycle) / a.ramp_length))
+    return min(1.0, max(0.0, (cycle - switching.ramp_cycle) / switching.ramp_length))
 
 
 @jit
-def blend(settings, gains, a):
-    """Eq. (55): fill a.tau_d, a.Q, a.R, a.lam by kappa between the frozen and the mode's own values; the
-    increment bound likewise."""
-    k = a.kappa
+def blend(mode, tau_plus, switching):
+    """Eq. (55): fill switching.now by kappa between the frozen values and the mode's own; tau_plus (6,) is
+    what its PID demands, N and N m."""
+    k, now, minus = switching.kappa, switching.now, switching.minus
     for i in range(6):
-        a.tau_d[i] = (1.0 - k) * a.tau_minus[i] + k * a.tau_plus[i]
-        a.Q_mode[i] = (1.0 - k) * a.Q_minus[i] + k * gains.Q[i]
-        a.Q[i] = a.Q_mode[i]
-    for i in range(a.R.shape[0]):
-        a.R[i] = (1.0 - k) * a.R_minus[i] + k * gains.R[i]
-    a.lam = (1.0 - k) * a.lam_minus + k * gains.lam
-    a.increment_share = (1.0 - k) * a.increment_share_minus + k * gains.increment_share
-    tight = settings.ramp_increment_share
-    a.step_share = a.increment_share * (tight + (1.0 - tight) * k**4)
-    a.increment_price = settings.increment_price + (1.0 - k) * settings.ramp_increment_price
+        now.tau_d[i] = (1.0 - k) * minus.tau_d[i] + k * tau_plus[i]
+        now.Q[i] = (1.0 - k) * minus.Q[i] + k * mode.Q[i]
+    for i in range(now.R.shape[0]):
+        now.R[i] = (1.0 - k) * minus.R[i] + k * mode.R[i]
+    now.lam = (1.0 - k) * minus.lam + k * mode.lam
+    now.increment_share = (1.0 - k) * minus.increment_share + k * mode.increment_share
 
 
 @jit
-def soften(settings, a):
-    """Priorities and slack once a fault is known, blended in with it: a.Q becomes what is solved with.
-
-    min ||tau_d - s - G||_QW^2 + ||s||_P^2 over s gives s = QW / (QW + P) (tau_d - G) and the weight
-    QW P / (QW + P); W = priority, P = slack_price, and P = 0 stands for no slack at all.
-    """
-    b = a.fault_share
-    for i in range(6):
-        q = a.Q_mode[i] * (1.0 + b * (settings.priority[i] - 1.0))
-        p = settings.slack_price[i]
-        a.Q[i] = q - b * q * q / (q + p) if p > 0.0 and q > 0.0 else q
-
-
-@jit
-def report_slack(settings, a):
-    """Fill a.slack (6,), N and N m: the part of tau_d that the softened problem gave up."""
-    b = a.fault_share
-    for i in range(6):
-        q = a.Q_mode[i] * (1.0 + b * (settings.priority[i] - 1.0))
-        p = settings.slack_price[i]
-        a.slack[i] = b * q / (q + p) * (a.tau_d[i] - a.tau_c[i]) if p > 0.0 and q > 0.0 else 0.0
+def limit_increments(settings, increment_price, switching, out):
+    """Fill the SWITCHING_OUTPUT: the ramp tightens the increment bound and prices increments."""
+    k, tight = switching.kappa, settings.ramp_increment_share
+    out.step_share = switching.now.increment_share * (tight + (1.0 - tight) * k**4)
+    out.increment_price = increment_price + (1.0 - k) * settings.ramp_increment_price

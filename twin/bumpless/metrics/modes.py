@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bumpless.metrics.run import Floats, Run
+from bumpless.metrics.columns import Columns, Floats
 
 
 @dataclass(frozen=True)
@@ -21,7 +21,7 @@ class ModeFigures:
     residual_rms: float
 
 
-def mode_figures(run: Run, residual: Floats) -> list[ModeFigures]:
+def mode_figures(run: Columns, residual: Floats) -> list[ModeFigures]:
     """For each mode that was flown, in the order F, R, H. residual: (n,) norm of e_tau.
 
     Source: Gao et al. 2026, tables A5 and A6.
@@ -34,7 +34,7 @@ def mode_figures(run: Run, residual: Floats) -> list[ModeFigures]:
     ]
 
 
-def _figures(run: Run, residual: Floats, mode: int, stays: list[np.ndarray]) -> ModeFigures:
+def _figures(run: Columns, residual: Floats, mode: int, stays: list[np.ndarray]) -> ModeFigures:
     rows = np.concatenate(stays)
     depth = [run.depth[s] for s in stays]
     attitude = [np.unwrap(run.eta_hat[s, 3:6], axis=0) for s in stays]

@@ -5,12 +5,12 @@ Source: Gao et al. 2026, eqs. (54)-(57), Proposition 1.
 
 import numpy as np
 
-from bumpless.metrics.run import Floats, Run
+from bumpless.metrics.columns import Columns, Floats
 
 TOLERANCE = 1e-6  # relative; what conversion to deg and rpm and back may cost
 
 
-def increment_violations(run: Run, lower: Floats, upper: Floats) -> int:
+def increment_violations(run: Columns, lower: Floats, upper: Floats) -> int:
     """Cycles in which a command left its amplitude bounds or moved by more than its increment bound.
 
     lower, upper: (n_u,) amplitude bounds, rad or rev/s.
@@ -23,7 +23,7 @@ def increment_violations(run: Run, lower: Floats, upper: Floats) -> int:
     return int(np.any(outside, axis=1).sum())
 
 
-def demand_step_violations(run: Run) -> int:
+def demand_step_violations(run: Columns) -> int:
     """Cycles in which tau_d stepped by more than one cycle of the ramp allows.
 
     In a ramp tau_d = (1 - kappa) tau_minus + kappa tau_plus, so that from one cycle to the next

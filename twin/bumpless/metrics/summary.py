@@ -6,11 +6,12 @@ import numpy as np
 from google.protobuf import json_format
 
 from bumpless.contract import bumpless_pb2 as pb
+from bumpless.contract.enums import FORWARD, HOVER, REVERSE, SOLVED
+from bumpless.contract.units import DEG, EDGE_PER_SI, WRENCH
+from bumpless.metrics.columns import Columns, Floats
 from bumpless.metrics.modes import ModeFigures, mode_figures
 from bumpless.metrics.proposition import demand_step_violations, increment_violations
-from bumpless.metrics.run import EDGE_PER_SI, Floats, Run
 from bumpless.metrics.switches import SwitchSteps, largest, switch_steps
-from bumpless.records import FORWARD, HOVER, REVERSE
 
 if TYPE_CHECKING:
     from bumpless.config.vehicle import Vehicle
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
 AT_BOUND = 1e-6  # closer than this share of the span counts as at the bound
 
 
-def metrics_of(run: Run, vehicle: "Vehicle", run_id: str = "") -> pb.Metrics:
+def metrics_of(run: Columns, vehicle: "Vehicle", run_id: str = "") -> pb.Metrics:
     """Figures of merit of a run of `vehicle`; figures of what did not happen are NaN.
 
     e_tau = tau_d - tau_c over the vehicle's controllable components, N and N m together as the paper
@@ -26,11 +27,11 @@ def metrics_of(run: Run, vehicle: "Vehicle", run_id: str = "") -> pb.Metrics:
     `residual_rms_true`. A command is at a bound within AT_BOUND of its amplitude span.
     Source: Gao et al. 2026, section 4.1 and tables 5 to 8.
     """
-    edge = np.array([EDGE_PER_SI[a.unit] for a in vehicle.actuators])
-    lower = np.array([a.command_min for a in vehicle.actuators]) / edge
-    upper = np.array([a.command_max for a in vehicle.actuators]) / edge
+    edge = np.array([EDGE_PER_SI[c.unit] for c in vehicle.commands])
+    lower = np.array([c.lower for c in vehicle.commands]) / edge
+    upper = np.array([c.upper for c in vehicle.commands]) / edge
     bounds = np.maximum(np.abs(lower), np.abs(upper))
-    served = np.array([name in vehicle.controllable for name in "XYZKMN"], float)
+    served = np.array([name in vehicle.controllable for name in WRENCH], float)
     message = pb.Metrics(run_id=run_id, cycles=len(run), missing_cycles=run.missing)
     if len(run) == 0:
         return message
@@ -40,7 +41,7 @@ def metrics_of(run: Run, vehicle: "Vehicle", run_id: str = "") -> pb.Metrics:
     message.residual_rms = _rms(residual)
     message.residual_rms_true = _rms(np.linalg.norm((run.tau_d - run.tau) * served, axis=1))
     message.saturation_ratio = _saturation_ratio(run, lower, upper)
-    message.solved_ratio = float(np.mean(run.status == pb.SOLVE_STATUS_SOLVED))
+    message.solved_ratio = float(np.mean(run.status == SOLVED))
     message.d_u_fr = largest(steps, FORWARD, REVERSE)
     message.d_u_rh = largest(steps, REVERSE, HOVER)
     message.switches.extend(_switch(run, s) for s in steps)
@@ -74,20 +75,15 @@ def _rms(values: Floats) -> float:
     return float(np.sqrt(np.mean(values**2)))
 
 
-def _saturation_ratio(run: Run, lower: Floats, upper: Floats) -> float:
+def _saturation_ratio(run: Columns, lower: Floats, upper: Floats) -> float:
     near = AT_BOUND * (upper - lower)
     return float(np.mean(np.any((run.u <= lower + near) | (run.u >= upper - near), axis=1)))
 
 
-def _contract_mode(mode: int) -> pb.Mode:
-    """records count modes from 0, the contract from 1."""
-    return cast("pb.Mode", mode + 1)
-
-
-def _switch(run: Run, steps: SwitchSteps) -> pb.SwitchMetrics:
+def _switch(run: Columns, steps: SwitchSteps) -> pb.SwitchMetrics:
     return pb.SwitchMetrics(
-        from_mode=_contract_mode(steps.from_mode),
-        to_mode=_contract_mode(steps.to_mode),
+        from_mode=cast("pb.Mode", steps.from_mode),
+        to_mode=cast("pb.Mode", steps.to_mode),
         time_s=float(run.time[steps.row]),
         command_step_normalised=steps.normalised,
         command_step_raw=steps.raw,
@@ -96,9 +92,9 @@ def _switch(run: Run, steps: SwitchSteps) -> pb.SwitchMetrics:
 
 
 def _mode(figures: ModeFigures, period_s: float, edge: Floats) -> pb.ModeMetrics:
-    roll, pitch, yaw = np.degrees(figures.attitude_rms)
+    roll, pitch, yaw = figures.attitude_rms * DEG
     return pb.ModeMetrics(
-        mode=_contract_mode(figures.mode),
+        mode=cast("pb.Mode", figures.mode),
         duration_s=figures.samples * period_s,
         samples=figures.samples,
         depth_rms_m=figures.depth_rms,

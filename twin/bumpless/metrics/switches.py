@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bumpless.metrics.run import Floats, Run
+from bumpless.metrics.columns import Columns, Floats
 
 WINDOW_S = 2.0  # on either side of a switch
 
@@ -25,7 +25,7 @@ class SwitchSteps:
     per_actuator: Floats  # (n_u,) max |du_i|, deg or rpm
 
 
-def switch_steps(run: Run, bounds: Floats, edge: Floats) -> list[SwitchSteps]:
+def switch_steps(run: Columns, bounds: Floats, edge: Floats) -> list[SwitchSteps]:
     """One entry per mode switch, in order.
 
     bounds: (n_u,) largest amplitude, rad or rev/s; edge: (n_u,) deg per rad or rpm per rev/s.

@@ -119,12 +119,15 @@ class Commander:
         return self._hand_over("start", lambda flight: flight.start(mission, seed, parameters, run))
 
     def _set_parameters(self, request: Message) -> pb.CommandReply:
-        from bumpless.config.parameters import check, from_message
+        from bumpless.config.parameters import ParameterError, check, from_message
 
         assert isinstance(request, pb.Parameters)
-        active = from_message(request, self._flight.state.parameters)
-        chosen = from_message(request, self._flight.chosen)
-        problems = check(active, self._vehicle)
+        try:
+            active = from_message(request, self._flight.state.parameters)
+            chosen = from_message(request, self._flight.chosen)
+            problems = check(active, self._vehicle)
+        except ParameterError as error:
+            return self._refuse("set_parameters", "parameters are out of range", error.problems)
         if problems:
             return self._refuse("set_parameters", "parameters are out of range", problems)
         return self._hand_over("set_parameters", lambda flight: flight.set_parameters(active, chosen))

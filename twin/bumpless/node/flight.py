@@ -10,14 +10,13 @@ from typing import TYPE_CHECKING, Any, Protocol
 import numpy as np
 
 from bumpless.contract import bumpless_pb2 as pb
+from bumpless.contract.enums import FLYING, PAUSED, RUNNING, WARNING
 from bumpless.sim.events import TwinEvent
 from bumpless.telemetry import FlightState
 
 if TYPE_CHECKING:
     from bumpless.config.mission import Mission
     from bumpless.config.parameters import Parameters
-
-FLYING = (pb.MISSION_PHASE_RUNNING, pb.MISSION_PHASE_PAUSED)
 
 
 class TwinLike(Protocol):
@@ -62,14 +61,14 @@ class Flight:
 
     def pause(self) -> pb.CommandReply:
         """Hold station."""
-        if self.twin.phase != pb.MISSION_PHASE_RUNNING:
+        if self.twin.phase != RUNNING:
             return self.refuse("pause", f"no mission is running; the phase is {phase_name(self.twin.phase)}")
         self.twin.pause()
         return self._done("mission paused; holding station")
 
     def resume(self) -> pb.CommandReply:
         """Go on with a paused mission."""
-        if self.twin.phase != pb.MISSION_PHASE_PAUSED:
+        if self.twin.phase != PAUSED:
             return self.refuse("resume", f"no mission is paused; the phase is {phase_name(self.twin.phase)}")
         self.twin.resume()
         return self._done("mission resumed")
@@ -92,7 +91,7 @@ class Flight:
         """Say no, and put it on record as an event."""
         details = {"verb": verb, "reason": reason}
         text = f"Command {verb} refused: {reason}."
-        self._events.append(TwinEvent(pb.SEVERITY_WARNING, "command_refused", text, details, self._time_s))
+        self._events.append(TwinEvent(WARNING, "command_refused", text, details, self._time_s))
         return pb.CommandReply(accepted=False, reason=reason, problems=problems, revision=self.state.revision)
 
     def step(self) -> tuple[np.void, list[TwinEvent]]:

@@ -6,7 +6,8 @@ from collections.abc import Callable
 from queue import Empty, SimpleQueue
 
 from bumpless.contract import bumpless_pb2 as pb
-from bumpless.node.flight import FLYING, Flight
+from bumpless.contract.enums import FLYING, RUNNING
+from bumpless.node.flight import Flight
 from bumpless.node.histogram import Histogram
 from bumpless.node.pacing import Clock
 from bumpless.node.priority import raise_thread
@@ -90,7 +91,7 @@ class ControlLoop:
 
     def _cycle(self) -> None:
         flight, clock = self._flight, self._clock
-        late = clock.wait(hurry=flight.twin.phase == pb.MISSION_PHASE_RUNNING)
+        late = clock.wait(hurry=flight.twin.phase == RUNNING)
         began = time.monotonic_ns()
         while not self._inbox.empty():
             try:

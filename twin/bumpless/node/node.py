@@ -4,13 +4,14 @@ import gc
 import threading
 from collections.abc import Callable
 from dataclasses import replace
-from importlib.metadata import PackageNotFoundError, version
 from typing import TYPE_CHECKING
 
 import zenoh
 
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract import keys
+from bumpless.contract.messages import descriptor_set
+from bumpless.contract.version import software_version
 from bumpless.node.claim import Claim
 from bumpless.node.commands import Commander
 from bumpless.node.flight import Flight, TwinLike
@@ -19,11 +20,11 @@ from bumpless.node.loop import ControlLoop
 from bumpless.node.pacing import FreeClock, WallClock
 from bumpless.node.publisher import BusWriter, Publisher
 from bumpless.node.ring import Ring
+from bumpless.node.stop import Stop
 from bumpless.telemetry import Teller
 
 if TYPE_CHECKING:
     from bumpless.config.vehicle import Vehicle
-    from bumpless.node.process import Stop
 
 
 class Node:
@@ -35,7 +36,7 @@ class Node:
         name: str,
         vehicle: "Vehicle",
         twin: TwinLike,
-        stop: "Stop",
+        stop: Stop,
         realtime: bool = True,
     ) -> None:
         period_ns = round(vehicle.control_period_s * 1e9)
@@ -89,7 +90,7 @@ class Node:
         self._stop("the control loop has ended", 1)
 
     def _serve(self) -> list[zenoh.Queryable[None]]:
-        schema_key, contract = keys.schema(self._name), keys.descriptor_set()
+        schema_key, contract = keys.schema(self._name), descriptor_set(pb.Stamp)
 
         def tell_schema(query: zenoh.Query) -> None:
             with query:
@@ -104,11 +105,3 @@ class Node:
 
 
 SCHEMA_ENCODING = "application/protobuf;google.protobuf.FileDescriptorSet"
-
-
-def software_version() -> str:
-    """Version of the installed package; "0+unknown" when run from a bare folder."""
-    try:
-        return version("bumpless")
-    except PackageNotFoundError:
-        return "0+unknown"

@@ -5,6 +5,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from bumpless.config.text import decoded
 from bumpless.contract import bumpless_pb2 as pb
 
 if TYPE_CHECKING:
@@ -24,10 +25,9 @@ _TRIAL_CYCLES = 20
 
 
 def start_request(path: Path) -> pb.StartMission:
-    """The command that would start the mission of this file. Raises OSError when it cannot be read."""
-    return pb.StartMission(
-        file_name=path.name, mission_yaml=path.read_text(encoding="utf-8"), operator="command line"
-    )
+    """The command that would start the mission of this file. Raises OSError, or NotText if it is none."""
+    text = decoded(path.read_bytes(), path.name)
+    return pb.StartMission(file_name=path.name, mission_yaml=text, operator="command line")
 
 
 def ready_twin(

@@ -2,19 +2,18 @@
 
 import signal
 import sys
-import threading
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from bumpless.contract import keys
+from bumpless.contract.exits import FAILED, TAKEN
+from bumpless.node.stop import Stop
 
 if TYPE_CHECKING:
     from bumpless.config.vehicle import Vehicle
     from bumpless.node.flight import TwinLike
-
-STOPPED, FAILED, TAKEN = 0, 1, 3  # exit codes
 
 
 @dataclass(frozen=True)
@@ -29,20 +28,6 @@ class Options:
     mission: str | Path | None = None
     mode: str | None = None
     make_twin: "Callable[[Vehicle], TwinLike] | None" = None
-
-
-class Stop:
-    """Ends the node, from any thread: the first call decides the reason and the exit code."""
-
-    def __init__(self) -> None:
-        self.event = threading.Event()
-        self.reason = ""
-        self.code = STOPPED
-
-    def __call__(self, reason: str, code: int = STOPPED) -> None:
-        if not self.event.is_set():
-            self.reason, self.code = reason, code
-            self.event.set()
 
 
 def say(text: str) -> None:
@@ -92,12 +77,12 @@ def _run(options: Options, stop: Stop) -> int:
     from bumpless.node.node import Node
     from bumpless.node.prepare import ready_twin, start_request
     from bumpless.node.priority import raise_process
-    from bumpless.node.session import open_session, session_config
+    from bumpless.node.session import node_config, open_session
 
     vehicle = load_vehicle(str(options.vehicle_file or options.vehicle_id))
     first = None if options.mission is None else start_request(Path(options.mission))
     try:
-        config = session_config(options.connect, options.listen, options.mode)
+        config = node_config(options.connect, options.listen, options.mode)
         session = open_session(config, stop.event, say)
     except zenoh.ZError as error:
         say(f"cannot open the bus: {error}")

@@ -7,8 +7,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bumpless.records import LOG
 from bumpless.sim.events import TwinEvent
+from bumpless.sim.log import LOG
 from bumpless.telemetry import FlightState
 
 CAPACITY = 256  # rows; 12.8 s at 20 Hz

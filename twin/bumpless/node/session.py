@@ -1,4 +1,4 @@
-"""The node's Zenoh session: explicit endpoints, no multicast, quick to notice a loss, never in the way."""
+"""The node's Zenoh session: peer or client, opened when there is someone to open it with."""
 
 import json
 import re
@@ -7,9 +7,8 @@ from collections.abc import Callable, Sequence
 
 import zenoh
 
-LEASE_MS = 1000  # a frozen node is missed within about this time
-RETRY_MS = 1000  # longest pause between attempts to reach an endpoint
-STALLED_PEER_US = 200_000  # how long a blocking put waits for a peer that doesn't read
+from bumpless.contract.session import session_config
+
 WAIT_FOR_ROUTER_S = 1.0
 LOOPBACK_PORT = "tcp/127.0.0.1:0"
 _LOOPBACK = re.compile(r"\w+/(127\.[\d.]+|localhost|\[::1\]):\d+")
@@ -26,31 +25,15 @@ def choose_mode(connect: Sequence[str], listen: Sequence[str]) -> str:
     return "client"
 
 
-def session_config(
-    connect: Sequence[str], listen: Sequence[str] = (), mode: str | None = None
-) -> zenoh.Config:
+def node_config(connect: Sequence[str], listen: Sequence[str] = (), mode: str | None = None) -> zenoh.Config:
     """Configuration of the node's session.
 
     A peer listens on a free loopback port unless told otherwise: by it, nodes that connect to the same
     server find each other, and a second one for a live vehicle id notices.
     """
     mode = mode or choose_mode(connect, listen)
-    retry = {"period_init_ms": 250, "period_max_ms": RETRY_MS, "period_increase_factor": 2}
-    config = zenoh.Config()
-    for key, value in {
-        "mode": mode,
-        "connect/endpoints": list(connect),
-        "connect/retry": retry,
-        "listen/endpoints": list(listen) or ([LOOPBACK_PORT] if mode == "peer" else []),
-        "scouting/multicast/enabled": False,
-        "transport/shared_memory/enabled": False,
-        "transport/link/tx/lease": LEASE_MS,
-        "transport/link/tx/queue/congestion_control/block/wait_before_close": STALLED_PEER_US,
-        "timestamping/enabled": True,  # the cache of events sorts by it
-        "adminspace/enabled": True,  # read only; says whom it is linked with: see `links`
-    }.items():
-        config.insert_json5(key, json.dumps(value))
-    return config
+    own = list(listen) or ([LOOPBACK_PORT] if mode == "peer" else [])
+    return session_config(mode, connect, own, timestamps=True)
 
 
 def open_session(

@@ -29,7 +29,7 @@ class Hull:
     @cached_property
     def dimension(self) -> int:
         """3 for a body, 2 for a flat set, 1 for a segment, 0 for a point."""
-        return self._span[0]
+        return self.span[0]
 
     @cached_property
     def volume(self) -> float:
@@ -42,7 +42,8 @@ class Hull:
         return self._size[1]
 
     @cached_property
-    def _span(self) -> tuple[int, Array]:
+    def span(self) -> tuple[int, Array]:
+        """The dimension, and the set's principal axes (3, 3), the widest first."""
         centered = self.vertices - self.vertices.mean(axis=0)
         _, extent, axes = np.linalg.svd(centered, full_matrices=False)
         if extent[0] == 0.0:
@@ -51,9 +52,9 @@ class Hull:
 
     @cached_property
     def _size(self) -> tuple[float, float]:
-        from scipy.spatial import ConvexHull
+        from scipy.spatial import ConvexHull  # pyright: ignore[reportMissingTypeStubs]
 
-        dimension, axes = self._span
+        dimension, axes = self.span
         if dimension == 3:
             hull = ConvexHull(self.vertices)
             return float(hull.volume), float(hull.area)
@@ -72,14 +73,14 @@ class Envelope:
 
 def hull_of_points(points: Array) -> Hull:
     """The convex hull of a cloud (n, 3) with only its corner points kept; flat clouds have no faces."""
-    from scipy.spatial import ConvexHull
+    from scipy.spatial import ConvexHull  # pyright: ignore[reportMissingTypeStubs]
 
     cloud = Hull(points, np.zeros((0, 3), np.int64))
     if cloud.dimension < 2:
-        along = (points - points[0]) @ cloud._span[1][0]
+        along = (points - points[0]) @ cloud.span[1][0]
         return Hull(points[[int(along.argmin()), int(along.argmax())]], cloud.faces)
     if cloud.dimension == 2:
-        corners = ConvexHull(points @ cloud._span[1][:2].T).vertices
+        corners = ConvexHull(points @ cloud.span[1][:2].T).vertices
         return Hull(points[corners], cloud.faces)
     hull = ConvexHull(points)
     renumber = np.zeros(len(points), np.int64)

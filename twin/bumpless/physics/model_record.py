@@ -1,4 +1,6 @@
-"""The vehicle as compiled code reads it: rigid body, water forces and actuators. See `bumpless.records`."""
+"""The vehicle as compiled code reads it: rigid body, water forces and actuators. One compilation serves every
+vehicle: capacity is fixed (`MAX_ACTUATORS`), unused entries are zero. Order of actuators: the vehicle file's.
+"""
 
 import numpy as np
 
@@ -23,9 +25,12 @@ MODEL = np.dtype(
         ("D_quadratic", f8, (6, 6)),
         ("D_lift", f8, (6, 6)),
         ("controllable", f8, 6),  # 1 where the actuators can act, 0 elsewhere (S_c)
-        # actuators
+        # one entry for each command; what belongs to an actuator stands at its first, see `physics.actuators`
         ("n_u", i8),
-        ("kind", i8, _n),  # THRUSTER or FIN
+        ("kind", i8, _n),  # a KIND of `physics.actuators.dispatch`
+        ("part", i8, _n),  # which of its actuator's commands this is, from 0
+        ("steers", i8, _n),  # 1: serves moments, 0: pushes; for the direct mapping of the baseline S1
+        ("trust", f8, _n),  # share of the evidence against it that counts, see `control.effectiveness`
         ("position", f8, (_n, 3)),  # r_i, m
         ("direction", f8, (_n, 3)),  # thrust direction d_j, or lift direction e_L
         ("command_min", f8, _n),  # rad or rev/s

@@ -5,24 +5,50 @@ Source: Gao et al. 2026, eq. (1)-(20); classical Runge-Kutta 4 with the commands
 
 import numpy as np
 
+from bumpless.config.capacity import MAX_ACTUATORS as _n
 from bumpless.jit import jit
+from bumpless.jit.memory import floats
 from bumpless.physics.actuators import lag_rate, total_wrench
 from bumpless.physics.dynamics import body_acceleration, displaced_water_force
+from bumpless.physics.faults import blend_faults
 from bumpless.physics.frames import body_to_ned, euler_rates, ned_to_body
 from bumpless.physics.water import step_gust, water_velocity
 
+f8 = np.float64
+
 N_STATE = 20  # eta, nu, actuator states
-N_WORK = 128  # scratch floats that `step_plant` needs
+
+SEEN = np.dtype(  # follows from the state: nothing here is remembered
+    [
+        ("current", f8, 3),  # NED at the vehicle, m/s
+        ("current_dot", f8, 3),
+        ("tau", f8, 6),  # actuator wrench, N and N m
+    ],
+    align=True,
+)
+
+PLANT = np.dtype(
+    [
+        ("time", f8),
+        ("eta", f8, 6),
+        ("nu", f8, 6),
+        ("u", f8, _n),  # where the actuators are, rad or rev/s
+        ("gust", f8, 3),
+        ("effectiveness", f8, _n),
+        ("seen", SEEN),
+    ],
+    align=True,
+)
 
 
 @jit
-def state_rate(model, truth, gust, effectiveness, time, x, command, rate, work):
-    """rate (20,) = d/dt [eta nu u] at state x, commands held. work: scratch, at least 48 floats."""
+def state_rate(model, environment, gust, effectiveness, time, x, command, rate):
+    """rate (20,) = d/dt [eta nu u] at state x, commands held."""
     eta, nu, u = x[0:6], x[6:12], x[12:20]
     phi, theta, psi = eta[3], eta[4], eta[5]
-    v_c, a_c = work[0:3], work[3:6]
-    nu_r, nu_c_dot, tau, force, body = work[6:12], work[12:18], work[18:24], work[24:30], work[30:33]
-    water_velocity(truth, gust, time, eta, v_c, a_c)
+    v_c, a_c, body = floats(3), floats(3), floats(3)
+    nu_r, nu_c_dot, tau, force = floats(6), floats(6), floats(6), floats(6)
+    water_velocity(environment, gust, time, eta, v_c, a_c)
     ned_to_body(phi, theta, psi, v_c, body)
     for k in range(3):
         nu_r[k] = nu[k] - body[k]
@@ -35,7 +61,7 @@ def state_rate(model, truth, gust, effectiveness, time, x, command, rate, work):
     nu_c_dot[1] -= nu[5] * body[0] - nu[3] * body[2]
     nu_c_dot[2] -= nu[3] * body[1] - nu[4] * body[0]
     for k in range(6):
-        tau[k] += truth.tau_e[k]
+        tau[k] += environment.tau_e[k]
     body_acceleration(model, eta, nu, nu_r, nu_c_dot, tau, force, rate[6:12])
     body_to_ned(phi, theta, psi, nu, rate)
     rate[3], rate[4], rate[5] = euler_rates(phi, theta, nu[3], nu[4], nu[5])
@@ -46,26 +72,13 @@ def state_rate(model, truth, gust, effectiveness, time, x, command, rate, work):
 
 
 @jit
-def apply_faults(truth, time, effectiveness):
-    """Effectiveness (8,) of each actuator at `time`; each fault is blended in over its own time."""
-    for i in range(effectiveness.shape[0]):
-        effectiveness[i] = 1.0
-    for f in range(truth.n_faults):
-        elapsed = time - truth.fault_time[f]
-        if elapsed > 0.0:
-            share = min(1.0, elapsed / truth.fault_blend[f]) if truth.fault_blend[f] > 0.0 else 1.0
-            effectiveness[truth.fault_actuator[f]] = 1.0 + share * (truth.fault_effectiveness[f] - 1.0)
-
-
-@jit
-def step_plant(model, truth, plant, command, dt, substeps, noise, work):
+def step_plant(model, environment, faults, plant, command, dt, substeps, noise):
     """Advance `plant` by dt seconds in `substeps` Runge-Kutta steps under held commands (8,).
 
-    noise: at least 3 standard normal samples for the gusts; work: scratch of N_WORK floats.
+    noise: at least 3 standard normal samples for the gusts.
     """
-    step_gust(truth, plant.gust, dt, noise)
-    x, k, mid, total = work[0:20], work[20:40], work[40:60], work[60:80]
-    inner = work[80:128]
+    step_gust(environment, plant.gust, dt, noise)
+    x, k, mid, total = floats(N_STATE), floats(N_STATE), floats(N_STATE), floats(N_STATE)
     for i in range(6):
         x[i] = plant.eta[i]
         x[6 + i] = plant.nu[i]
@@ -74,43 +87,38 @@ def step_plant(model, truth, plant, command, dt, substeps, noise, work):
     h = dt / substeps
     for _ in range(substeps):
         t = plant.time
-        state_rate(model, truth, plant.gust, plant.effectiveness, t, x, command, k, inner)
+        state_rate(model, environment, plant.gust, plant.effectiveness, t, x, command, k)
         for i in range(N_STATE):
             total[i] = k[i]
             mid[i] = x[i] + 0.5 * h * k[i]
-        state_rate(model, truth, plant.gust, plant.effectiveness, t + 0.5 * h, mid, command, k, inner)
+        state_rate(model, environment, plant.gust, plant.effectiveness, t + 0.5 * h, mid, command, k)
         for i in range(N_STATE):
             total[i] += 2.0 * k[i]
             mid[i] = x[i] + 0.5 * h * k[i]
-        state_rate(model, truth, plant.gust, plant.effectiveness, t + 0.5 * h, mid, command, k, inner)
+        state_rate(model, environment, plant.gust, plant.effectiveness, t + 0.5 * h, mid, command, k)
         for i in range(N_STATE):
             total[i] += 2.0 * k[i]
             mid[i] = x[i] + h * k[i]
-        state_rate(model, truth, plant.gust, plant.effectiveness, t + h, mid, command, k, inner)
+        state_rate(model, environment, plant.gust, plant.effectiveness, t + h, mid, command, k)
         for i in range(N_STATE):
             x[i] += h / 6.0 * (total[i] + k[i])
         plant.time = t + h
-    apply_faults(truth, plant.time, plant.effectiveness)
+    blend_faults(faults, plant.time, plant.effectiveness)
     for i in range(6):
         plant.eta[i] = x[i]
         plant.nu[i] = x[6 + i]
     for i in range(8):
         plant.u[i] = x[12 + i]
-    observe_plant(model, truth, plant, inner)
+    observe_plant(model, environment, plant)
 
 
 @jit
-def observe_plant(model, truth, plant, work):
-    """Fill the plant's present current and actuator wrench from its state."""
-    body, nu_r = work[0:3], work[3:9]
-    water_velocity(truth, plant.gust, plant.time, plant.eta, plant.current, plant.current_dot)
-    ned_to_body(plant.eta[3], plant.eta[4], plant.eta[5], plant.current, body)
+def observe_plant(model, environment, plant):
+    """Fill plant.seen, the present current and actuator wrench, from the plant's state."""
+    body, nu_r, seen = floats(3), floats(6), plant.seen
+    water_velocity(environment, plant.gust, plant.time, plant.eta, seen.current, seen.current_dot)
+    ned_to_body(plant.eta[3], plant.eta[4], plant.eta[5], seen.current, body)
     for i in range(3):
         nu_r[i] = plant.nu[i] - body[i]
         nu_r[3 + i] = plant.nu[3 + i]
-    total_wrench(model, plant.u, plant.effectiveness, nu_r, plant.tau)
-
-
-def new_work() -> np.ndarray:
-    """Scratch space for `step_plant`."""
-    return np.zeros(N_WORK)
+    total_wrench(model, plant.u, plant.effectiveness, nu_r, seen.tau)

@@ -6,8 +6,68 @@ row passed in (N_NOISE standard normal samples a cycle), so that a seed fixes a 
 
 from math import atan2, cos, sin, sqrt
 
+import numpy as np
+
+from bumpless.config.capacity import MAX_ACTUATORS as _n
+from bumpless.config.capacity import MAX_OUTAGES
 from bumpless.jit import jit
 from bumpless.physics.frames import body_to_ned, ned_to_body
+
+f8, i8 = np.float64, np.int64
+
+N_NOISE = 24  # samples a cycle: 0 to 2 for the water's gusts, the others here
+
+SENSORS = np.dtype(  # as their data sheets have them
+    [
+        ("roll_pitch_std", f8),  # rad
+        ("heading_std", f8),  # rad
+        ("heading_bias_std", f8),  # rad, drawn once a run
+        ("rate_std", f8),  # rad/s
+        ("dvl_std", f8),  # m/s
+        ("dvl_water_std", f8),  # m/s
+        ("dvl_period", i8),  # cycles
+        ("dvl_dropout", f8),  # z score below which a sample is lost
+        ("depth_std", f8),  # m
+        ("depth_bias_std", f8),  # m, drawn once a run
+        ("camera_position", f8, 3),  # body, m
+        ("camera_pitch", f8),  # rad, of the optical axis below x_b
+        ("camera_half_angle", f8),  # rad
+        ("camera_range_max", f8),  # m
+        ("camera_range_min", f8),
+        ("camera_period", i8),  # cycles
+        ("camera_dropout", f8),  # z score
+        ("camera_range_std", f8),  # share of range
+        ("camera_bearing_std", f8),  # rad
+    ],
+    align=True,
+)
+
+SENSOR_ERRORS = np.dtype(  # of one flight; nobody on board knows them
+    [
+        ("noise_scale", f8),  # factor on every error
+        ("heading_bias", f8),  # rad
+        ("depth_bias", f8),  # m
+        ("n_outages", i8),
+        ("outage", f8, (MAX_OUTAGES, 2)),  # s, target not seen in between
+    ],
+    align=True,
+)
+
+MEASUREMENT = np.dtype(  # a sample stays until the sensor gives the next one
+    [
+        ("attitude", f8, 3),
+        ("rates", f8, 3),
+        ("velocity", f8, 3),  # over ground, body
+        ("velocity_valid", i8),  # 1 in a cycle with a new sample
+        ("water_velocity", f8, 3),  # through water, body
+        ("depth", f8),
+        ("detected", i8),  # target seen
+        ("fresh", i8),  # 1 in a cycle with a new camera frame
+        ("target", f8, 3),  # range m, bearing rad, elevation rad in camera axes
+        ("u_feedback", f8, _n),
+    ],
+    align=True,
+)
 
 
 @jit
@@ -31,22 +91,25 @@ def camera_view(sensors, eta, target, out):
 
 
 @jit
-def measure(sensors, truth, plant, cycle, noise, m):
-    """Fill the measurement record `m` from the plant. Source: Gao et al. 2026, sec. 4.1 (sensor suite)."""
-    s = truth.noise_scale
+def measure(sensors, errors, target, plant, cycle, noise, m):
+    """Fill the measurement `m` of a plant that may see a target (3,), NED. `errors`: SENSOR_ERRORS.
+
+    Source: Gao et al. 2026, sec. 4.1 (sensor suite).
+    """
+    s = errors.noise_scale
     for k in range(3):
         std = sensors.heading_std if k == 2 else sensors.roll_pitch_std
         m.attitude[k] = plant.eta[3 + k] + s * std * noise[3 + k]
         m.rates[k] = plant.nu[3 + k] + s * sensors.rate_std * noise[6 + k]
-    m.attitude[2] += s * plant.heading_bias
-    m.depth = plant.eta[2] + s * (plant.depth_bias + sensors.depth_std * noise[9])
+    m.attitude[2] += s * errors.heading_bias
+    m.depth = plant.eta[2] + s * (errors.depth_bias + sensors.depth_std * noise[9])
     for i in range(m.u_feedback.shape[0]):
         m.u_feedback[i] = plant.u[i]
 
     m.velocity_valid = 0
     if cycle % max(1, sensors.dvl_period) == 0 and noise[10] >= sensors.dvl_dropout:
         m.velocity_valid = 1
-        ned_to_body(plant.eta[3], plant.eta[4], plant.eta[5], plant.current, m.water_velocity)
+        ned_to_body(plant.eta[3], plant.eta[4], plant.eta[5], plant.seen.current, m.water_velocity)
         for k in range(3):
             m.velocity[k] = plant.nu[k] + s * sensors.dvl_std * noise[11 + k]
             m.water_velocity[k] = (
@@ -56,15 +119,15 @@ def measure(sensors, truth, plant, cycle, noise, m):
     m.fresh = 0
     if cycle % max(1, sensors.camera_period) == 0:
         m.fresh = 1
-        camera_view(sensors, plant.eta, truth.target, m.target)
+        camera_view(sensors, plant.eta, target, m.target)
         seen = (
             abs(m.target[1]) <= sensors.camera_half_angle
             and abs(m.target[2]) <= sensors.camera_half_angle
             and sensors.camera_range_min <= m.target[0] <= sensors.camera_range_max
             and noise[17] >= sensors.camera_dropout
         )
-        for k in range(truth.n_outages):
-            if truth.outage[k, 0] <= plant.time < truth.outage[k, 1]:
+        for k in range(errors.n_outages):
+            if errors.outage[k, 0] <= plant.time < errors.outage[k, 1]:
                 seen = False
         m.detected = 1 if seen else 0
         m.target[0] *= 1.0 + s * sensors.camera_range_std * noise[18]

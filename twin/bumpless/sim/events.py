@@ -4,12 +4,23 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-INFO, WARNING, ALARM = 1, 2, 3  # Severity of the contract
-MODE_NAMES = ("forward", "reverse", "hover")
+from bumpless.contract.enums import (
+    FALLBACK,
+    FORWARD,
+    HOVER,
+    IDLE,
+    INFEASIBLE,
+    INFO,
+    REFUSED,
+    REVERSE,
+    WARNING,
+)
+from bumpless.contract.modes import LOOKS
+
 _STATUS = {
-    3: "bounds contradict each other",
-    4: "the QP solver failed; built-in active set used",
-    5: "demand refused",
+    INFEASIBLE: "bounds contradict each other",
+    FALLBACK: "the QP solver failed; built-in active set used",
+    REFUSED: "demand refused",
 }
 QUIET_S = 5.0  # mission time; an allocator on the edge flips its status many times a second
 
@@ -26,7 +37,7 @@ class TwinEvent:
 
 
 class EventWriter:
-    """Collects events until they are drained. actuators: their names, in the vehicle file's order."""
+    """Collects events until they are drained. actuators: whose each command is."""
 
     def __init__(self, actuators: tuple[str, ...] = ()) -> None:
         self.actuators = actuators
@@ -68,22 +79,25 @@ class EventWriter:
         return events
 
 
-def switch_reason(before: int, after: int, row: np.ndarray, s: np.ndarray) -> tuple[str, str]:
-    """(why the mode changed, what would have kept it), from eq. (53)'s guards at this row."""
+def switch_reason(before: int, after: int, row: np.void, s: np.void) -> tuple[str, str]:
+    """(why the mode changed, what would have kept it), from eq. (53)'s guards at this row.
+
+    s: SUPERVISOR_SETTINGS.
+    """
     d, seen = row["range"], bool(row["detected"])
-    if (before, after) == (0, 1):
+    if (before, after) == (FORWARD, REVERSE):
         return f"target seen and range {d:.2f} m <= {s['d_fr_l']:.2f} m", "a range above it, or no detection"
-    if (before, after) == (1, 2):
+    if (before, after) == (REVERSE, HOVER):
         return f"target seen and range {d:.2f} m <= {s['d_rh_l']:.2f} m", "a range above it, or no detection"
-    if after == 0:
-        limit = s["d_fr_u"] if before == 1 else s["d_hf_u"]
+    if after == FORWARD:
+        limit = s["d_fr_u"] if before == REVERSE else s["d_hf_u"]
         if not seen:
             return "target lost", "a detection within the hold time"
         return f"range {d:.2f} m >= {limit:.2f} m", "a range below it"
     return f"range {d:.2f} m >= {s['d_rh_u']:.2f} m", "a range below it"
 
 
-def completed_event(out: EventWriter, row: np.ndarray) -> None:
+def completed_event(out: EventWriter, row: np.void) -> None:
     """Add that the mission was completed with this LOG row."""
     time_s = float(row["time"])
     out.settle(time_s)
@@ -98,24 +112,24 @@ def eventful(log: np.ndarray) -> list[int]:
     return [int(k) for k in np.flatnonzero(changed) + 1]
 
 
-def row_events(out: EventWriter, last: np.ndarray, row: np.ndarray, settings: np.ndarray) -> None:
-    """Compare two consecutive LOG rows and add what an operator should hear of."""
+def row_events(out: EventWriter, last: np.void, row: np.void, settings: np.void) -> None:
+    """Compare two consecutive LOG rows and add what an operator should hear of. settings: SETTINGS."""
     time_s = float(row["time"])
-    if row["phase"] == 1 or last["phase"] == 1 or last["cycle"] + 1 != row["cycle"]:
+    if IDLE in (row["phase"], last["phase"]) or last["cycle"] + 1 != row["cycle"]:
         return
     if row["mode"] != last["mode"]:
         before, after = int(last["mode"]), int(row["mode"])
-        why, unless = switch_reason(before, after, row, settings)
+        why, unless = switch_reason(before, after, row, settings["supervisor"])
         out.add(
             "mode_switch",
-            f"{MODE_NAMES[before].capitalize()} to {MODE_NAMES[after]}: {why}.",
+            f"{LOOKS[before].name} to {LOOKS[after].key}: {why}.",
             {
-                "from": MODE_NAMES[before],
-                "to": MODE_NAMES[after],
+                "from": LOOKS[before].key,
+                "to": LOOKS[after].key,
                 "range_m": f"{row['range']:.3f}",
                 "detected": str(bool(row["detected"])).lower(),
                 "dwelt_s": f"{last['time_in_mode'] + settings['dt']:.2f}",
-                "dwell_s": f"{settings['n_dwell'] * settings['dt']:.2f}",
+                "dwell_s": f"{settings['supervisor']['n_dwell'] * settings['dt']:.2f}",
                 "reason": why,
                 "unless": unless,
             },
@@ -134,7 +148,7 @@ def row_events(out: EventWriter, last: np.ndarray, row: np.ndarray, settings: np
         _fault_events(out, last, row, time_s)
 
 
-def _fault_events(out: EventWriter, last: np.ndarray, row: np.ndarray, time_s: float) -> None:
+def _fault_events(out: EventWriter, last: np.void, row: np.void, time_s: float) -> None:
     """An actuator that the autopilot has diagnosed, or that works again."""
     for i, name in enumerate(out.actuators):
         before, after = int(last["faults"]) >> i & 1, int(row["faults"]) >> i & 1

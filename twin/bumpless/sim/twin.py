@@ -10,18 +10,22 @@ from typing import Any
 
 import numpy as np
 
-from bumpless import records
 from bumpless.config.mission import Mission
 from bumpless.config.parameters import Parameters, default_parameters, with_overrides
 from bumpless.config.vehicle import Vehicle
+from bumpless.contract.enums import ABORTED, COMPLETED, FORWARD, IDLE, PAUSED, RUNNING, WARNING
 from bumpless.control.allocation.qp import make_handle
-from bumpless.control.autopilot import reset_autopilot
+from bumpless.control.onboard import ONBOARD
+from bumpless.control.reset import reset_state
 from bumpless.physics.model import build_model
-from bumpless.physics.plant import new_work, observe_plant
-from bumpless.sim.cycle import COMPLETED, IDLE, RUNNING, fly
+from bumpless.physics.plant import observe_plant
+from bumpless.physics.sensors import N_NOISE
+from bumpless.sim.cycle import fly
 from bumpless.sim.events import EventWriter, TwinEvent, completed_event, eventful, row_events
-from bumpless.sim.settings import fill_settings, mode_controls, plan_of, sensors_of
-from bumpless.sim.truth import TRUTH, tell, truth_of
+from bumpless.sim.log import LOG
+from bumpless.sim.settings import fill_settings, plan_of, sensors_of
+from bumpless.sim.truth import tell, truth_of
+from bumpless.sim.world import WORLD, clear, place_plant
 
 Alter = Callable[[Any, Any], None]  # changes records in place
 _CHUNK = 1024  # cycles per compiled call of `simulate`, so that progress can be shown
@@ -40,43 +44,47 @@ def one(dtype: np.dtype) -> np.ndarray:
 
 def new_log(cycles: int) -> np.ndarray:
     """Empty LOG rows for `Twin.fly`, shape (cycles,)."""
-    return np.zeros(cycles, records.LOG)
+    return np.zeros(cycles, LOG)
 
 
 class Twin:
-    """One simulated vehicle with its autopilot. Not thread safe: one thread steps it."""
+    """One simulated vehicle with its autopilot. Not thread safe: one thread steps it.
+
+    `onboard` and `world` are the ONBOARD and WORLD records: what the vehicle knows, and what is true.
+    """
 
     def __init__(self, vehicle: Vehicle, parameters: Parameters | None = None) -> None:
         self.vehicle = vehicle
         self.period_s = vehicle.control_period_s
         self.mission: Mission | None = None
-        self.phase: int = IDLE
         self.seed = 0
-        self.events = EventWriter(tuple(actuator.name for actuator in vehicle.actuators))
+        self.events = EventWriter(tuple(command.actuator for command in vehicle.commands))
         self._handles: dict[str, np.ndarray] = {}
-        self._models = np.array([build_model(vehicle)] * 2)  # what the autopilot knows, what is true
-        self._model, self._plant_model = self._models[0], self._models[1]
-        self._settings, self._modes = one(records.SETTINGS), np.zeros(3, records.MODE_CONTROL)
-        self._plan, self._truth, self._sensors = one(records.PLAN), one(TRUTH), one(records.SENSORS)
-        self._plant, self._m = one(records.PLANT), one(records.MEASUREMENT)
-        self._a, self._w = one(records.AUTOPILOT), one(records.ALLOCATION_WORK)
-        self._row, self._last = one(records.LOG), one(records.LOG)
+        self._onboard, self._world = one(ONBOARD), one(WORLD)
+        self.onboard, self.world = self._onboard[0], self._world[0]
+        self._orders, self._state = self.onboard["orders"], self.onboard["state"]
+        self._settings = self.onboard["settings"]
+        self._row, self._last = one(LOG), one(LOG)
         # NumPy copies a record field by field, bytes at once: 85 and 2 us
         self._row_bytes, self._last_bytes = self._row.view(np.uint8), self._last.view(np.uint8)
-        self._work = new_work()
-        self._change = 0
         self._paused_at = 0  # cycle
         self._rng = np.random.Generator(np.random.PCG64(0))
-        self._noise = np.zeros((1, records.N_NOISE))
+        self._noise = np.zeros((1, N_NOISE))
+        self.onboard["model"] = self.world["model"] = build_model(vehicle)
         self._adopt(parameters or default_parameters(vehicle))
-        self._plant[0]["effectiveness"] = 1.0
-        self._a[0]["effectiveness"] = 1.0
+        self._orders["phase"] = IDLE
+        self._state["supervisor"]["mode"] = self._state["supervisor"]["previous_mode"] = FORWARD
+        self._state["belief"]["effectiveness"] = self.world["plant"]["effectiveness"] = 1.0
+
+    @property
+    def phase(self) -> int:
+        """MissionPhase."""
+        return int(self._orders["phase"])
 
     def _adopt(self, parameters: Parameters) -> None:
         self.parameters = parameters
         fill_settings(self._settings, self.vehicle, parameters)
-        self._modes[:] = mode_controls(parameters)
-        self._model["smoothing"] = parameters.allocation.shaft_smoothing
+        self.onboard["model"]["smoothing"] = parameters.allocation.shaft_smoothing
         solver = parameters.allocation.solver
         if solver not in self._handles:
             self._handles[solver] = make_handle(solver)
@@ -96,131 +104,98 @@ class Twin:
         """
         self._adopt(parameters or parameters_for(self.vehicle, mission))
         self.mission, self.seed = mission, mission.seed if seed is None else seed
-        self._plan[:] = plan_of(mission, self.period_s)
-        self._truth[:] = truth_of(mission, self.vehicle)
-        self._sensors[:] = sensors_of(self.vehicle, mission)
-        self._models[1:] = self._models[:1]
-        if alter is not None:
-            alter(self._plant_model, self._truth[0])
-        tell(self._truth, self._plan, faults=self.parameters.allocation.effectiveness == "known")
         self._rng = np.random.Generator(np.random.PCG64(self.seed))
-        place_plant(self._truth, self._sensors, self._plant, self._rng)
-        observe_plant(self._plant_model, self._truth[0], self._plant[0], self._work)
-        self._m[:] = self._a[:] = self._w[:] = 0  # nothing of an earlier run is left, not even in rounding
-        reset_autopilot(self._modes, self._plan[0], self._model, self._a[0])
-        self.phase, self._change = 2, 0
+        onboard, world = self.onboard, self.world
+        onboard["sensors"] = world["sensors"] = sensors_of(self.vehicle, mission)[0]
+        world["truth"], world["model"] = truth_of(mission, self.vehicle)[0], onboard["model"]
+        if alter is not None:
+            alter(world["model"], world["truth"])
+        place_plant(world["truth"], world["sensors"], world["plant"], self._rng)
+        observe_plant(world["model"], world["truth"]["environment"], world["plant"])
+        onboard["plan"] = plan_of(mission, self.period_s)[0]
+        told = self.parameters.allocation.effectiveness == "known"
+        tell(world["truth"], onboard["plan"], faults=told)
+        clear(world["measurement"])  # nothing of an earlier run is left, not even in rounding
+        for name in ("state", "output", "scratch"):
+            clear(onboard[name])
+        reset_state(self._settings, onboard["plan"], self._state)
+        self._order(RUNNING, change=False)
         self._last[:] = 0
         self.events.add("mission_started", f"Mission {mission.name} started.", {"mission": mission.name})
 
+    def _order(self, phase: int, change: bool) -> None:
+        """Fly in `phase` from the next cycle on; change: with a ramp."""
+        self._orders["phase"], self._orders["change"] = phase, change
+
     def pause(self) -> None:
         """Brake, and hold station where the vehicle can stop until `resume`; the supervisor is frozen."""
-        a = self._a[0]
-        ahead, psi = self._stopping_distance(float(a["nu"][0])), a["eta"][5]
-        a["hold_point"] = [
-            a["eta"][0] + ahead * np.cos(psi),
-            a["eta"][1] + ahead * np.sin(psi),
-            a["eta"][2],
+        eta, surge = self._state["navigation"]["eta"], float(self._state["navigation"]["nu"][0])
+        ahead, psi = self._stopping_distance(surge), eta[5]
+        self._orders["hold_point"] = [
+            eta[0] + ahead * np.cos(psi),
+            eta[1] + ahead * np.sin(psi),
+            eta[2],
             psi,
         ]
-        a["holding"], self._change, self.phase = 1, 1, 3
-        self._paused_at = int(a["cycle"])
+        self._order(PAUSED, change=True)
+        self._paused_at = int(self._state["clock"]["cycle"])
         self.events.add("mission_paused", "Mission paused; holding station.", {})
 
     def _stopping_distance(self, surge: float) -> float:
         """Way from `surge` (m/s) to rest: half the ramp at this speed, then all reverse thrust, m."""
-        m, n = self._model, int(self._model["n_u"])
+        m, n = self.onboard["model"], int(self.onboard["model"]["n_u"])
         thrust = np.maximum(m["T_nn"], m["T_nn_reverse"])[:n] * m["command_min"][:n] ** 2
-        push = float(np.sum(thrust * np.abs(m["direction"][:n, 0]) * (m["kind"][:n] == records.THRUSTER)))
+        push = float(np.sum(thrust * np.abs(m["direction"][:n, 0])))
         braking = max(push, 1e-3) / float(m["M_RB"][0, 0] + m["M_A"][0, 0])
         ramp_s = self.parameters.hover.ramp_cycles * self.period_s
         return surge * ramp_s / 2 + surge * abs(surge) / (2 * braking)
 
     def resume(self) -> None:
         """Go on with the mission; its longest duration does not count the pause."""
-        self._plan[0]["cycles"] += int(self._a[0]["cycle"]) - self._paused_at
-        self._a[0]["holding"], self._change, self.phase = 0, 1, 2
+        self.onboard["plan"]["cycles"] += int(self._state["clock"]["cycle"]) - self._paused_at
+        self._order(RUNNING, change=True)
         self.events.add("mission_resumed", "Mission resumed.", {})
 
     def abort(self, reason: str) -> None:
         """Stop every actuator as fast as its bounds allow."""
-        self._a[0]["holding"], self.phase = 0, 5
-        self.events.add("mission_aborted", f"Mission aborted: {reason}.", {"reason": reason}, severity=2)
+        self._orders["phase"] = ABORTED
+        self.events.add("mission_aborted", f"Mission aborted: {reason}.", {"reason": reason}, WARNING)
 
     def set_parameters(self, parameters: Parameters) -> None:
         """Fly with other parameters from the next cycle on, blended in over the present mode's ramp."""
         self._adopt(parameters)
-        self._change = 1
+        self._orders["change"] = True
         self.events.add("parameters_applied", "New parameters are in force.", {})
 
-    def step(self) -> np.ndarray:
+    def step(self) -> np.void:
         """Fly one control cycle; returns its LOG record, valid until the next step."""
-        if self.phase != IDLE:
+        phase = self.phase
+        if phase != IDLE:
             self._rng.standard_normal(out=self._noise)
-        _, phase = self._fly(self._noise, self._row)
+        fly(self._handle, self._onboard, self._world, self._noise, self._row)
         row = self._row[0]
-        row_events(self.events, self._last[0], row, self._settings[0])
+        row_events(self.events, self._last[0], row, self._settings)
         self._last_bytes[:] = self._row_bytes
-        if phase != self.phase:
-            self.phase = phase
+        if self.phase != phase:
             completed_event(self.events, row)
         return row
 
     @property
     def cycles(self) -> int:
         """Longest duration of the mission, in control cycles."""
-        return int(self._plan[0]["cycles"])
+        return int(self.onboard["plan"]["cycles"])
 
     def fly(self, log: np.ndarray) -> int:
-        """Fly on until `log` (of `new_log`) is full or the phase changes; returns how many rows were filled.
+        """Fly up to len(log) cycles into LOG rows, to the end of the phase at most; returns how many.
 
         The cycles are those of `simulate`, however the flight is cut into calls. Adds no events for the rows.
         """
-        rows, self.phase = self._fly(self._rng.standard_normal((len(log), records.N_NOISE)), log)
-        return rows
-
-    def _fly(self, noise: np.ndarray, log: np.ndarray) -> tuple[int, int]:
-        """Fill `log` as `cycle.fly` does; noise (len(log), N_NOISE)."""
-        flown = fly(
-            self._handle,
-            self._settings,
-            self._modes,
-            self._sensors,
-            self._plan,
-            self._truth,
-            self._models[:1],
-            self._models[1:],
-            self._plant,
-            self._m,
-            self._a,
-            self._w,
-            self.phase,
-            self._change,
-            noise,
-            log,
-            self._work,
-        )
-        self._change = 0
-        return flown
+        noise = self._rng.standard_normal((len(log), N_NOISE))
+        return fly(self._handle, self._onboard, self._world, noise, log)
 
     def drain_events(self) -> list[TwinEvent]:
         """Events since the last call, oldest first."""
         return self.events.drain()
-
-
-def place_plant(truth: np.ndarray, sensors: np.ndarray, plant: np.ndarray, rng: np.random.Generator) -> None:
-    """Put the plant at the mission's start; draw the biases that last a run."""
-    plant[:] = 0
-    p = plant[0]
-    p["eta"] = truth[0]["start"]
-    psi = p["eta"][5]
-    current = truth[0]["current"]
-    p["nu"][0] = truth[0]["start_speed"] + current[0] * np.cos(psi) + current[1] * np.sin(psi)
-    p["nu"][1] = -current[0] * np.sin(psi) + current[1] * np.cos(psi)
-    p["effectiveness"] = 1.0
-    draws = rng.standard_normal(4)
-    p["heading_bias"] = draws[0] * sensors[0]["heading_bias_std"]
-    p["depth_bias"] = draws[1] * sensors[0]["depth_bias_std"]
-    p["gust"][:2] = draws[2:4] * truth[0]["gust_std"]
 
 
 @dataclass(frozen=True)
@@ -261,6 +236,6 @@ def simulate(
             progress(filled / total if twin.phase == RUNNING else 1.0)
     log = log[:filled]
     for k in eventful(log):
-        row_events(twin.events, log[k - 1], log[k], twin._settings[0])
+        row_events(twin.events, log[k - 1], log[k], twin.onboard["settings"])
     completed_event(twin.events, log[-1])
     return Result(log, mission, vehicle, twin.parameters, twin.seed, COMPLETED, twin.drain_events())

@@ -54,7 +54,7 @@ def warm_up(vehicle_name: str = "ts100", missions: tuple[Path, ...] = ()) -> Non
     vehicle = load_vehicle(vehicle_name)
     announced("control cycle", lambda: Twin(vehicle).step())
     for path in missions:
-        mission = parse_mission(path.read_text(encoding="utf-8"), path.name)
+        mission = parse_mission(path.read_bytes(), path.name)
         announced(f"mission {mission.name}", lambda mission=mission: simulate(mission, vehicle))
 
 

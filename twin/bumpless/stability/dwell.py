@@ -5,18 +5,17 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bumpless import records
 from bumpless.config.mission import Mission
 from bumpless.config.parameters import Parameters
 from bumpless.config.vehicle import Vehicle
+from bumpless.contract.enums import FORWARD, HOVER, MODES, REVERSE
+from bumpless.contract.modes import MODE_LETTERS
 from bumpless.sim.twin import parameters_for
 from bumpless.stability.linear import Coordinate, coordinates, difference, with_memory
 from bumpless.stability.lyapunov import Certificate, search
 from bumpless.stability.operating import Point, settle
 
-MODES = (records.FORWARD, records.REVERSE, records.HOVER)
-NAMES = "FRH"
-SWITCHES = ((0, 1), (1, 2), (1, 0), (2, 1), (2, 0))
+SWITCHES = ((FORWARD, REVERSE), (REVERSE, HOVER), (REVERSE, FORWARD), (HOVER, REVERSE), (HOVER, FORWARD))
 
 
 @dataclass(frozen=True)
@@ -47,22 +46,24 @@ def check_dwell(mission: Mission, vehicle: Vehicle, parameters: Parameters | Non
     """Linearise every mode and switch of the mission's settings and search for a certificate."""
     parameters = parameters or parameters_for(vehicle, mission)
     points = {mode: settle(mission, vehicle, parameters, mode) for mode in MODES}
-    where = coordinates(points[0])
+    where = coordinates(points[FORWARD])
     cycle = {mode: difference(point, where, point.period) for mode, point in points.items()}
     ramps = {
-        (i, j): _whole(parameters.modes[j].ramp_cycles if parameters.bumpless.ramp else 1, points[i])
+        (i, j): _whole(
+            parameters.modes[j - FORWARD].ramp_cycles if parameters.bumpless.ramp else 1, points[i]
+        )
         for i, j in SWITCHES
     }
     keep = with_memory([*cycle.values()])
-    kept, period = [where[k] for k in keep], points[0].period
+    kept, period = [where[k] for k in keep], points[FORWARD].period
     J = {(i, j): _jump(points[i], points[j], kept, ramps[i, j]) for i, j in SWITCHES}
     A = {mode: m[np.ix_(keep, keep)] for mode, m in cycle.items()}
     radius, slowest = {}, {}
     for mode, a in A.items():
         values, vectors = np.linalg.eig(a)
         k = int(np.abs(values).argmax())
-        radius[NAMES[mode]] = float(np.abs(values[k]) ** (1.0 / period))
-        slowest[NAMES[mode]] = kept[int(np.abs(vectors[:, k]).argmax())].name
+        radius[MODE_LETTERS[mode]] = float(np.abs(values[k]) ** (1.0 / period))
+        slowest[MODE_LETTERS[mode]] = kept[int(np.abs(vectors[:, k]).argmax())].name
     return Dwell(
         parameters.supervisor.dwell_cycles,
         vehicle.control_period_s,
@@ -99,7 +100,7 @@ def _jump(start: Point, end: Point, where: list[Coordinate], cycles: int) -> np.
     """From the last cycle of one mode to the end of the ramp into another; what that one holds is held."""
     held, start.held = (
         start.held,
-        start.held if math.isnan(end.held) else float(start.twin._plant[0]["eta"][0]),
+        start.held if math.isnan(end.held) else float(start.twin.world["plant"]["eta"][0]),
     )
     out = difference(start, where, cycles, end.mode)
     start.held = held

@@ -4,18 +4,30 @@ The path law's slow estimate of drift is taken as constant: in H it is frozen, s
 could contract it there.
 """
 
+from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from bumpless.control.onboard import STATE
+from bumpless.physics.plant import PLANT
 from bumpless.stability.operating import Point
 
 Array = NDArray[np.float64]
 
 _PLANT = ("eta", "nu", "u")
-# of the autopilot every number may have memory but these: clocks, what is taken as exact, what is frozen in H
-_NOT_STATE = {"time", "hover_time", "solve_time", "target", "b", "hold_point", "ramp_length", "kappa"}
+# of the autopilot's state: clocks, what is taken as exact, what is frozen in H, and the estimator, which
+# changes nothing until it raises an alarm
+_NOT_STATE = {
+    "clock.time",
+    "navigation.target",
+    "guidance.b",
+    "switching.ramp_length",
+    "switching.kappa",
+    "estimator",
+}
 _SIZE = 1e-5  # of a disturbance
 _FORGETS = 1e-9  # columns below this carry nothing to the next cycle
 
@@ -24,15 +36,34 @@ _FORGETS = 1e-9  # columns below this carry nothing to the next cycle
 class Coordinate:
     """One number of the state: where it lives."""
 
-    record: str
-    field: str
+    record: str  # "plant" or "autopilot"
+    field: str  # dotted, such as "pid.integral"
     index: int
     size: float
 
     @property
     def name(self) -> str:
         """Such as plant.nu[3]."""
-        return f"{'autopilot' if self.record == '_a' else 'plant'}.{self.field}[{self.index}]"
+        return f"{self.record}.{self.field}[{self.index}]"
+
+    def place(self, point: Point) -> NDArray[np.float64]:
+        """The numbers of its field, (n,), to be read and changed in place."""
+        here: Any = point.twin._world["plant"] if self.record == "plant" else point.twin._onboard["state"]
+        for part in self.field.split("."):
+            here = here[part]
+        return here.reshape(-1)  # of an array of one record: a view
+
+
+def _floats(dtype: np.dtype, path: str = "") -> Iterator[tuple[str, int]]:
+    """(dotted name, count) of every float field of a nested record but for what is no state."""
+    for name in dtype.names or ():
+        here, kind = f"{path}{name}", dtype[name]
+        if here in _NOT_STATE:
+            continue
+        if kind.names:
+            yield from _floats(kind, f"{here}.")
+        elif kind.base == np.float64:
+            yield here, int(np.prod(kind.shape, dtype=int))
 
 
 def coordinates(point: Point) -> list[Coordinate]:
@@ -40,31 +71,24 @@ def coordinates(point: Point) -> list[Coordinate]:
 
     An aligned offset that is never bled off only adds to its integral, which stands for both.
     """
-    skipped = _NOT_STATE | (set() if point.twin._settings[0]["align_bleed"] > 0.0 else {"bias"})
-    numbers = point.twin._a.dtype
-    names = [n for n in numbers.names or () if numbers[n].base == np.float64 and n not in skipped]
-    found = []
-    for record, fields in (("_plant", _PLANT), ("_a", names)):
-        rows = getattr(point.twin, record)
-        for name in fields:
-            count = int(np.prod(rows.dtype[name].shape)) if rows.dtype[name].shape else 1
-            for k in range(count):
-                if not (record == "_a" and name == "eta" and k < 2):
-                    found.append(Coordinate(record, name, k, _SIZE))
-    return found
+    bled = point.twin.onboard["settings"]["bumpless"]["align_bleed"] > 0.0
+    found = [("plant", name, size) for name, size in _floats(PLANT) if name in _PLANT]
+    found += [("autopilot", name, size) for name, size in _floats(STATE) if bled or name != "pid.bias"]
+    return [
+        Coordinate(record, name, k, _SIZE)
+        for record, name, size in found
+        for k in range(size)
+        if record == "plant" or name != "navigation.eta" or k > 1
+    ]
 
 
 def _add(point: Point, at: Coordinate, amount: float) -> None:
-    row = getattr(point.twin, at.record)[0]
-    if row.dtype[at.field].shape:
-        row[at.field][at.index] += amount
-    else:
-        row[at.field] += amount
+    at.place(point)[at.index] += amount
 
 
 def read(point: Point, where: list[Coordinate]) -> Array:
     """The present values of the coordinates."""
-    return np.array([np.atleast_1d(getattr(point.twin, c.record)[0][c.field])[c.index] for c in where], float)
+    return np.array([c.place(point)[c.index] for c in where], float)
 
 
 def difference(point: Point, where: list[Coordinate], cycles: int, enter: int | None = None) -> Array:

@@ -12,15 +12,16 @@ from typing import Any
 
 import numpy as np
 
-from bumpless import records
 from bumpless.config.mission import End, Environment, Leg, Mission, Sensors, Start, Target
 from bumpless.config.parameters import Parameters
 from bumpless.config.vehicle import Vehicle
+from bumpless.contract.enums import FORWARD, HOVER, REVERSE
+from bumpless.control.supervisor import change_mode
 from bumpless.sim.twin import Twin
 
 FAR_M = 500.0
 SETTLE_S = 200.0
-_KEPT = ("_plant", "_m", "_a", "_w", "_row", "_last")
+_KEPT = ("_onboard", "_world", "_row", "_last")
 
 
 class Silence:
@@ -46,37 +47,36 @@ class Point:
     def step(self) -> None:
         """One cycle, then what is taken as exact is set again."""
         self.twin.step()
-        plant, a = self.twin._plant[0], self.twin._a[0]
+        plant, navigation = self.twin.world["plant"], self.twin.onboard["state"]["navigation"]
         if math.isfinite(self.held):
             plant["eta"][0] = self.held
-        a["eta"][:2] = plant["eta"][:2]
-        a["target"] = self.target
+        navigation["eta"][:2] = plant["eta"][:2]
+        navigation["target"] = self.target
 
     def save(self) -> dict[str, np.ndarray]:
         """Everything that the next cycle depends on."""
-        return {name: getattr(self.twin, name).copy() for name in _KEPT}
+        return {name: getattr(self.twin, name).view(np.uint8).copy() for name in _KEPT}
 
     def restore(self, saved: dict[str, np.ndarray]) -> None:
         """Back to a saved state."""
         for name, value in saved.items():
-            getattr(self.twin, name)[:] = value
-        self.twin._change = 0
+            getattr(self.twin, name).view(np.uint8)[:] = value
         self.twin.events.drain()
 
     def enter(self, mode: int) -> None:
         """Make the next cycle the first in `mode`, as the supervisor does."""
-        a = self.twin._a[0]
-        a["previous_mode"], a["mode"], a["switch_cycle"] = a["mode"], mode, a["cycle"]
-        self.mode, self.twin._change = mode, 1
+        state = self.twin.onboard["state"]
+        change_mode(mode, int(state["clock"]["cycle"]), state["supervisor"])
+        self.mode, self.twin.onboard["orders"]["change"] = mode, 1
 
     @property
     def period(self) -> int:
         """Cycles after which all sensors have been read once."""
-        sensors = self.twin._sensors[0]
+        sensors = self.twin.onboard["sensors"]
         return math.lcm(max(1, int(sensors["dvl_period"])), max(1, int(sensors["camera_period"])))
 
 
-def straightened(mission: Mission, model: np.record, mode: int) -> Mission:
+def straightened(mission: Mission, model: np.void, mode: int) -> Mission:
     """The mission's last leg and target, turned to the north and moved far from the start."""
     heading = math.radians(mission.target.heading_deg)
     n, e, d = mission.environment.current_ned_mps
@@ -99,15 +99,15 @@ def straightened(mission: Mission, model: np.record, mode: int) -> Mission:
     )
 
 
-def thruster_load(model: np.record, mode: int) -> np.ndarray:
+def thruster_load(model: np.void, mode: int) -> np.ndarray:
     """Minus the wrench of the thrusters at a fifth of their largest thrust, N and N m.
 
     Those that push ahead count in hover only; under way they work anyway.
     """
     load = np.zeros(6)
     for i in range(int(model["n_u"])):
-        works = mode != records.HOVER and abs(model["direction"][i, 0]) > 0.5
-        if model["kind"][i] == records.THRUSTER and not works:
+        works = mode != HOVER and abs(model["direction"][i, 0]) > 0.5
+        if not works:  # what is no screw has no T_nn
             force = 0.2 * model["T_nn"][i] * model["command_max"][i] ** 2 * model["direction"][i]
             load[:3] -= force
             load[3:] -= np.cross(model["position"][i], force)
@@ -118,26 +118,26 @@ def settle(mission: Mission, vehicle: Vehicle, parameters: Parameters, mode: int
     """Fly `mode` until it is at rest about its reference; the allocator solves to the last digit."""
     exact = replace(parameters.allocation, sqp_iterations=30, kkt_tolerance=1e-11)
     twin = Twin(vehicle)
-    flown = straightened(mission, twin._model, mode)
+    flown = straightened(mission, twin.onboard["model"], mode)
     chosen = replace(parameters, allocation=exact)
     twin.start(flown, 0, chosen)
     twin._rng = Silence()  # type: ignore[assignment]
-    twin._settings[0]["n_dwell"] = np.iinfo(np.int64).max // 4
+    twin.onboard["settings"]["supervisor"]["n_dwell"] = np.iinfo(np.int64).max // 4
     supervisor = parameters.supervisor
     away = {
-        records.FORWARD: FAR_M / 2,
-        records.REVERSE: (supervisor.range_fr_lower_m + supervisor.range_rh_lower_m) / 2,
-        records.HOVER: 0.0,
+        FORWARD: FAR_M / 2,
+        REVERSE: (supervisor.range_fr_lower_m + supervisor.range_rh_lower_m) / 2,
+        HOVER: 0.0,
     }[mode]
     target = np.array(flown.target.position_ned_m)
-    plant, a = twin._plant[0], twin._a[0]
-    plant["eta"][0] = a["eta"][0] = FAR_M - away
-    if mode == records.HOVER:
+    plant, state = twin.world["plant"], twin.onboard["state"]
+    plant["eta"][0] = state["navigation"]["eta"][0] = FAR_M - away
+    if mode == HOVER:
         plant["nu"][:2] = flown.environment.current_ned_mps[:2]
     passes = parameters.guidance.speed_min_mps > 0.0  # such a vehicle cannot stop in H
-    free = mode == records.HOVER and not passes
+    free = mode == HOVER and not passes
     point = Point(twin, mode, math.nan if free else FAR_M - away, target)
-    a["mode"], a["switch_cycle"] = mode, 0
+    state["supervisor"]["mode"], state["supervisor"]["switch_cycle"] = mode, 0
     count = round(SETTLE_S / vehicle.control_period_s / point.period) * point.period
     for _ in range(count):
         point.step()

@@ -9,10 +9,11 @@ import numpy as np
 from google.protobuf.message import Message
 
 from bumpless.contract import bumpless_pb2 as pb
-from bumpless.records import LOG
+from bumpless.contract.enums import IDLE
+from bumpless.contract.units import DEG
+from bumpless.sim.log import LOG
 from bumpless.telemetry.context import ActuatorContext, Context
 
-_DEG = 180.0 / math.pi
 _VALUES = {name: LOG[name].itemsize // 8 for name in LOG.names or ()}
 _UNPACK = Struct("=" + "".join(("q" if LOG[n].base.kind == "i" else "d") * _VALUES[n] for n in _VALUES))
 
@@ -59,7 +60,7 @@ def messages(
         time_ns = context.start_time_ns + round(r.one("time") * 1e9)
     stamp = pb.Stamp(
         time_ns=time_ns,
-        mission_time_s=0.0 if r.one("phase") == pb.MISSION_PHASE_IDLE else r.one("time"),
+        mission_time_s=0.0 if r.one("phase") == IDLE else r.one("time"),
         cycle=int(r.one("cycle")) if cycle is None else cycle,
     )
     return [
@@ -70,7 +71,7 @@ def messages(
         ("tlm/actuators", actuators := _actuators(r, stamp, context)),
         ("tlm/allocation", _allocation(r, stamp, context, actuators)),
         ("tlm/target", _target(r, stamp)),
-        ("truth/state", _truth(r, stamp, len(context.actuators))),
+        ("truth/state", _truth(r, stamp, context)),
     ]
 
 
@@ -79,7 +80,7 @@ def _vector(out: pb.Vector3, v: Sequence[float], scale: float = 1.0) -> None:
 
 
 def _attitude(out: pb.Attitude, v: Sequence[float]) -> None:
-    out.roll_deg, out.pitch_deg, out.yaw_deg = v[0] * _DEG, v[1] * _DEG, v[2] * _DEG
+    out.roll_deg, out.pitch_deg, out.yaw_deg = v[0] * DEG, v[1] * DEG, v[2] * DEG
 
 
 def _wrench(out: pb.Wrench, v: Sequence[float]) -> None:
@@ -93,7 +94,7 @@ def _navigation(r: _Row, stamp: pb.Stamp) -> pb.Navigation:
     _attitude(out.attitude, eta[3:])
     _vector(out.velocity_body_mps, nu)
     _vector(out.velocity_through_water_body_mps, r.all("nu_r_hat"))
-    _vector(out.angular_rate_body_degps, nu[3:], _DEG)
+    _vector(out.angular_rate_body_degps, nu[3:], DEG)
     out.speed_over_ground_mps = math.hypot(nu[0], nu[1], nu[2])
     _vector(out.current_estimate_ned_mps, r.all("current_hat"))
     return out
@@ -109,15 +110,11 @@ def _guidance(r: _Row, stamp: pb.Stamp) -> pb.Guidance:
     return out
 
 
-def _mode(value: float) -> pb.Mode:
-    """records.FORWARD, REVERSE, HOVER count from 0, the contract from 1."""
-    return cast("pb.Mode", int(value) + 1)
-
-
 def _supervisor(r: _Row, stamp: pb.Stamp, context: Context) -> pb.Supervisor:
     out = pb.Supervisor(stamp=stamp)
     out.MergeFrom(context.thresholds)
-    out.mode, out.previous_mode = _mode(r.one("mode")), _mode(r.one("previous_mode"))
+    out.mode = cast("pb.Mode", int(r.one("mode")))
+    out.previous_mode = cast("pb.Mode", int(r.one("previous_mode")))
     out.range_m = r.one("range")
     out.detection_raw, out.detection = bool(r.one("detected_raw")), bool(r.one("detected"))
     out.kappa = r.one("kappa")
@@ -146,8 +143,9 @@ def _actuators(r: _Row, stamp: pb.Stamp, context: Context) -> pb.Actuators:
     for said, a, numbers in zip(out.actuators, context.actuators, columns, strict=False):
         _actuator(said, a, *(number * a.scale for number in numbers))
     faults, shares, evidences = int(r.one("faults")), r.all("effectiveness_hat"), r.all("fault_evidence")
-    for i, (said, share, evidence) in enumerate(zip(out.actuators, shares, evidences, strict=False)):
-        said.effectiveness, said.fault_evidence, said.faulty = share, evidence, bool(faults >> i & 1)
+    for said, a in zip(out.actuators, context.actuators, strict=True):
+        i = a.first
+        said.effectiveness, said.fault_evidence, said.faulty = shares[i], evidences[i], bool(faults >> i & 1)
     return out
 
 
@@ -188,20 +186,20 @@ def _target(r: _Row, stamp: pb.Stamp) -> pb.Target:
     estimate = r.all("target")
     out = pb.Target(stamp=stamp, detected=bool(r.one("detected_raw")))
     out.measured_range_m = distance
-    out.bearing_deg, out.elevation_deg = bearing * _DEG, elevation * _DEG
+    out.bearing_deg, out.elevation_deg = bearing * DEG, elevation * DEG
     _vector(out.position_ned_m, estimate)
-    out.heading_deg = estimate[3] * _DEG
+    out.heading_deg = estimate[3] * DEG
     _vector(out.observation_point_ned_m, r.all("observation_point"))
     return out
 
 
-def _truth(r: _Row, stamp: pb.Stamp, n_u: int) -> pb.TruthState:
-    eta, nu = r.all("eta"), r.all("nu")
-    out = pb.TruthState(stamp=stamp, effectiveness=r.all("effectiveness")[:n_u])
+def _truth(r: _Row, stamp: pb.Stamp, context: Context) -> pb.TruthState:
+    eta, nu, shares = r.all("eta"), r.all("nu"), r.all("effectiveness")
+    out = pb.TruthState(stamp=stamp, effectiveness=[shares[a.first] for a in context.actuators])
     _vector(out.position_ned_m, eta)
     _attitude(out.attitude, eta[3:])
     _vector(out.velocity_body_mps, nu)
-    _vector(out.angular_rate_body_degps, nu[3:], _DEG)
+    _vector(out.angular_rate_body_degps, nu[3:], DEG)
     _wrench(out.actuator_wrench, r.all("tau"))
     _vector(out.current_ned_mps, r.all("current"))
     _vector(out.target_position_ned_m, r.all("target_true"))

@@ -35,3 +35,5 @@ def run_messages(
         time_ns = start_time_ns + round(float(row["time"]) * 1e9)
         for topic, message in teller.tell(row, state, events[first:at], time_ns):
             yield time_ns, topic, message
+        if last:
+            yield time_ns, "tlm/mission", teller.ended(state, result.phase)

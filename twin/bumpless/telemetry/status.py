@@ -1,9 +1,11 @@
 """What a vehicle says more rarely than each cycle: mission, plan, parameters, description, events."""
 
+import json
 import secrets
 import time
 from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import cached_property
 from hashlib import sha256
 from typing import TYPE_CHECKING, cast
 
@@ -26,6 +28,11 @@ class FlightState:
     mission: "Mission | None" = None
     run_id: str = ""
     seed: int = 0
+
+    @cached_property
+    def parameters_text(self) -> str:
+        """All parameters as JSON, see `parameters_text`."""
+        return parameters_text(self.parameters)
 
 
 def run_id(mission_name: str, time_ns: int, suffix: str | None = None) -> str:
@@ -68,17 +75,25 @@ def plan(stamp: pb.Stamp, mission: "Mission") -> pb.Plan:
 
 
 def parameters_status(stamp: pb.Stamp, state: FlightState, defaults: "Parameters") -> pb.ParametersStatus:
-    """Topic "parameters": what is flown with, and its hash over the live-tunable part."""
+    """Topic "parameters": what is flown with, tunable or not, and the hash of all of it."""
     from bumpless.config.parameters import to_message
 
-    active = to_message(state.parameters)
+    text = state.parameters_text
     return pb.ParametersStatus(
         stamp=stamp,
-        active=active,
+        active=to_message(state.parameters),
         revision=state.revision,
-        sha256=sha256(active.SerializeToString(deterministic=True)).hexdigest(),
+        sha256=sha256(text.encode()).hexdigest(),
         defaults=to_message(defaults),
+        parameters_json=text,
     )
+
+
+def parameters_text(parameters: "Parameters") -> str:
+    """All parameters as JSON with the vehicle file's keys: their identity, and a log's parameters.json."""
+    from bumpless.config.parameters import as_dict
+
+    return json.dumps(as_dict(parameters), indent=1, sort_keys=True)
 
 
 def description(
@@ -93,7 +108,7 @@ def description(
         sha256=vehicle.sha256,
         software_version=software_version,
         control_period_s=vehicle.control_period_s,
-        actuator_names=[actuator.name for actuator in vehicle.actuators],
+        actuator_names=[command.name for command in vehicle.commands],
         session_id=session_id,
     )
 

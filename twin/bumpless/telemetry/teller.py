@@ -7,6 +7,7 @@ import numpy as np
 from google.protobuf.message import Message
 
 from bumpless.contract import bumpless_pb2 as pb
+from bumpless.contract.enums import ENDED, PAUSED
 from bumpless.contract.keys import TOPICS
 from bumpless.telemetry import status
 from bumpless.telemetry.context import make_context
@@ -18,7 +19,6 @@ if TYPE_CHECKING:
     from bumpless.sim.events import TwinEvent
 
 END_EVENTS = ("mission_completed", "mission_aborted")  # their text is the run's end reason
-ENDED = (pb.MISSION_PHASE_COMPLETED, pb.MISSION_PHASE_ABORTED)
 
 
 class Teller:
@@ -48,6 +48,7 @@ class Teller:
             if topic.rate_hz is not None
         }
         self._told = 0
+        self._stamp: pb.Stamp | None = None  # of the last cycle
         self._state: status.FlightState | None = None
         self._phase = pb.MISSION_PHASE_UNSPECIFIED
         self._end_reason = ""
@@ -75,12 +76,13 @@ class Teller:
             self._context = self._context.with_parameters(state.parameters)
         own = messages(row, self._context, time_ns, cycle)
         stamp: pb.Stamp = own[0][1].stamp  # type: ignore[attr-defined]
+        self._stamp = stamp
         phase = int(row["phase"])
         events = [("event", self._event(stamp, one)) for one in happened]
         new_run = self._state is None or state.run_id != self._state.run_id
         if new_run:
             self._end_reason, self._held_s = "", 0.0
-        elif phase == pb.MISSION_PHASE_PAUSED:
+        elif phase == PAUSED:
             self._held_s += max(0.0, stamp.mission_time_s - self._time_s)
         self._time_s = stamp.mission_time_s
         for _, message in events:
@@ -90,6 +92,13 @@ class Teller:
         self._state, self._phase = state, phase
         self._told += 1
         yield from [*slow, *events, *own] if new_run else [*events, *own, *slow]
+
+    def ended(self, state: status.FlightState, phase: int) -> Message:
+        """The status that says with which phase the run has ended, for one without a cycle after its last."""
+        assert self._stamp is not None
+        message = self._slow_message("mission", self._stamp, state, phase)
+        assert message is not None
+        return message
 
     def _slow(self, stamp: pb.Stamp, state: status.FlightState, phase: int) -> Iterator[tuple[str, Message]]:
         before = self._state

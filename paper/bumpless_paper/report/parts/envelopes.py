@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 
 from bumpless.config.vehicle import load_vehicle
+from bumpless.physics.actuators import FIN, THRUSTER
 from bumpless.physics.envelope import Envelope, attainable_sets, sampled_sets, select
 from bumpless.physics.envelope_hull import Hull
 from bumpless.physics.model import build_model
-from bumpless.records import FIN, THRUSTER
 from bumpless_paper.report.content import Comparison, Figure, Grid, Panel, Part, Series, Solid
 from bumpless_paper.report.parts import Progress
 from bumpless_paper.report.published import published

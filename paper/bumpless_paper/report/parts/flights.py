@@ -5,11 +5,10 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from bumpless.records import FIN, THRUSTER
+from bumpless.contract.units import DEG, EDGE_PER_SI, WRENCH, WRENCH_UNITS
 from bumpless.sim.twin import Result
 from bumpless_paper.report.content import Figure, Panel, Series
 
-WRENCH = (("X", "N"), ("Y", "N"), ("Z", "N"), ("K", "N·m"), ("M", "N·m"), ("N", "N·m"))
 TIME = "time (s)"
 
 
@@ -48,9 +47,9 @@ def pose_figure(id: str, title: str, caption: str, runs: Mapping[str, Result]) -
     """Depth, roll, pitch, heading and surge speed over time."""
     rows: Sequence[tuple[str, str, int, float]] = (
         ("depth (m)", "eta", 2, 1.0),
-        ("roll (°)", "eta", 3, 180 / np.pi),
-        ("pitch (°)", "eta", 4, 180 / np.pi),
-        ("yaw (°)", "eta", 5, 180 / np.pi),
+        ("roll (°)", "eta", 3, DEG),
+        ("pitch (°)", "eta", 4, DEG),
+        ("yaw (°)", "eta", 5, DEG),
         ("surge (m/s)", "nu", 0, 1.0),
     )
     last = list(runs.values())[-1]
@@ -70,25 +69,25 @@ def _unwrapped(values: np.ndarray, column: str, axis: int) -> np.ndarray:
     return np.unwrap(values) if column == "eta" and axis > 2 else values
 
 
-def command_figure(id: str, title: str, caption: str, runs: Mapping[str, Result], kind: int) -> Figure:
-    """Commands of all thrusters (rpm) or fins (deg) over time."""
+def command_figure(id: str, title: str, caption: str, runs: Mapping[str, Result], kind: str) -> Figure:
+    """Commands of all actuators of a kind ("fin", "thruster") over time, deg or rpm."""
     last = list(runs.values())[-1]
-    unit, scale = ("°", 180 / np.pi) if kind == FIN else ("rpm", 60.0)
     panels = []
-    for i, actuator in enumerate(last.vehicle.actuators):
-        if (FIN if actuator.kind == "fin" else THRUSTER) == kind:
-            series = [
-                Series(name, run.log["time"], run.log["u"][:, i] * scale, k, "steps")
-                for k, (name, run) in enumerate(runs.items())
-            ]
-            panels.append(Panel(TIME, f"{actuator.name} ({unit})", series, spans_of(last.log)))
+    for i in last.vehicle.slots(kind):
+        command = last.vehicle.commands[i]
+        unit, scale = "°" if command.unit == "deg" else command.unit, EDGE_PER_SI[command.unit]
+        series = [
+            Series(name, run.log["time"], run.log["u"][:, i] * scale, k, "steps")
+            for k, (name, run) in enumerate(runs.items())
+        ]
+        panels.append(Panel(TIME, f"{command.name} ({unit})", series, spans_of(last.log)))
     return Figure(id, title, caption, panels, 1 if len(panels) < 4 else 2)
 
 
 def wrench_figure(id: str, title: str, caption: str, run: Result) -> Figure:
     """Demanded and true wrench of one run, controllable components only."""
     panels = []
-    for k, (name, unit) in enumerate(WRENCH):
+    for k, (name, unit) in enumerate(zip(WRENCH, WRENCH_UNITS, strict=True)):
         if name in run.vehicle.controllable:
             series = [
                 Series("demanded", run.log["time"], run.log["tau_d"][:, k], 1),

@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
 from bumpless.config.vehicle import load_vehicle
+from bumpless.physics.actuators import FIN, THRUSTER
 from bumpless.physics.envelope import sampled_sets
 from bumpless.physics.model import build_model
-from bumpless.records import FIN, THRUSTER
 from bumpless_paper.report.content import Figure, Grid, Panel, Part, Series
 from bumpless_paper.report.parts import Progress
 from bumpless_paper.report.parts.envelopes import GROUPS, SPEED, indicators, paper_rows

@@ -5,31 +5,34 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from bumpless import records
+from bumpless.config.capacity import MAX_ACTUATORS
 from bumpless.config.vehicle import load_vehicle, vehicle_names
 from bumpless.physics.actuators import total_wrench
 from bumpless.physics.dynamics import coriolis_force, damping_force
+from bumpless.physics.faults import FAULTS
 from bumpless.physics.frames import body_to_ned
 from bumpless.physics.model import build_model
-from bumpless.physics.plant import new_work, step_plant
-from bumpless.sim.truth import TRUTH
+from bumpless.physics.plant import PLANT, step_plant
+from bumpless.physics.sensors import N_NOISE
+from bumpless.physics.water import ENVIRONMENT
 from bumpless_paper.report.content import Figure, Grid, Panel, Part, Series
 from bumpless_paper.report.parts import Progress
 
 Array = NDArray[np.float64]
-_HEALTHY = np.ones(records.MAX_ACTUATORS)
-_QUIET = np.zeros(records.N_NOISE)
+_HEALTHY = np.ones(MAX_ACTUATORS)
+_QUIET = np.zeros(N_NOISE)
+_CALM, _WHOLE = np.zeros(1, ENVIRONMENT)[0], np.zeros(1, FAULTS)[0]  # water at rest, nothing broken
 
 
 def fly(
     model: np.record, nu: Array, command: Array, seconds: float, dt: float, substeps: int = 1
 ) -> np.ndarray:
     """PLANT record after `seconds` from velocity nu (6,) at 20 m depth, commands held, no current."""
-    truth, plant, work = np.zeros(1, TRUTH), np.zeros(1, records.PLANT), new_work()
+    plant = np.zeros(1, PLANT)
     plant[0]["nu"], plant[0]["effectiveness"] = nu, 1.0
     plant[0]["eta"][2] = 20.0
     for _ in range(round(seconds / dt)):
-        step_plant(model, truth[0], plant[0], command, dt, substeps, _QUIET, work)
+        step_plant(model, _CALM, _WHOLE, plant[0], command, dt, substeps, _QUIET)
     return plant[0]
 
 
@@ -55,8 +58,8 @@ def steady_speed(model: np.record) -> float:
     from scipy.optimize import brentq
 
     n = int(model["n_u"])
-    ahead = (model["kind"] == records.THRUSTER) & (model["direction"][:, 0] > 0.5)
-    u = np.zeros(records.MAX_ACTUATORS)
+    ahead = (model["T_nn"] > 0.0) & (model["direction"][:, 0] > 0.5)  # screws; pods at the angle 0
+    u = np.zeros(MAX_ACTUATORS)
     u[:n] = np.where(ahead[:n], 0.6 * model["command_max"][:n], 0.0)
     calm = model.copy()
     calm["M_inv"] = 0.0  # on a rail: surge alone moves
@@ -78,7 +81,7 @@ def mirrored_turns(model: np.record) -> float:
     even["Q_nn"] = even["Q_nv"] = 0.0
     mirror = np.array([1.0, -1.0, 1.0, -1.0, 1.0, -1.0])
     start = np.array([0.6, 0.05, 0.0, 0.05, 0.0, 0.1])
-    u = np.zeros(records.MAX_ACTUATORS)
+    u = np.zeros(MAX_ACTUATORS)
     one, other = (fly(even, s, u, 20.0, 0.05)["eta"] for s in (start, start * mirror))
     return float(np.abs(one * mirror - other).max())
 
@@ -96,7 +99,7 @@ def decay_balance(model: np.record) -> float:
     """Free decay: energy lost against the work of damping integrated along the way, relative."""
     freely = model.copy()
     freely["fin_area"] = freely["T_nv"] = freely["Q_nv"] = 0.0
-    truth, plant, work = np.zeros(1, TRUTH), np.zeros(1, records.PLANT), new_work()
+    plant = np.zeros(1, PLANT)
     plant[0]["nu"], plant[0]["effectiveness"] = [0.8, 0.1, 0.1, 0.1, 0.1, 0.1], 1.0
     begin, dt, powers = energy(freely, plant[0]), 0.002, []
     for k in range(4001):
@@ -104,7 +107,7 @@ def decay_balance(model: np.record) -> float:
         damping_force(freely, plant[0]["nu"], drag)
         powers.append(float(drag @ plant[0]["nu"]))
         if k < 4000:
-            step_plant(freely, truth[0], plant[0], np.zeros(8), dt, 1, _QUIET, work)
+            step_plant(freely, _CALM, _WHOLE, plant[0], np.zeros(8), dt, 1, _QUIET)
     done = float(np.trapezoid(powers, dx=dt))
     return abs((energy(freely, plant[0]) - begin) / done - 1.0)
 

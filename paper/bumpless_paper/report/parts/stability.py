@@ -7,8 +7,8 @@ import math
 
 from bumpless.config.mission import shipped_mission
 from bumpless.config.vehicle import load_vehicle
+from bumpless.contract.modes import MODE_LETTERS
 from bumpless.stability import Dwell, check_dwell, dwell_warning
-from bumpless.stability.dwell import NAMES
 from bumpless_paper.report.content import Grid, Part
 from bumpless_paper.report.labels import coordinate
 from bumpless_paper.report.parts import Progress
@@ -77,12 +77,11 @@ def _dwell_table(found: dict[str, Dwell]) -> Grid:
 def _mode_table(found: dict[str, Dwell]) -> Grid:
     rows = []
     for name, d in found.items():
+        contraction = {} if d.certificate is None else d.certificate.rho
+        rhos = {MODE_LETTERS[i]: float(rho ** (1.0 / d.period)) for i, rho in contraction.items()}
         for mode, radius in d.radius.items():
             slow = -d.period_s / math.log(radius) if radius < 1.0 - 1e-9 else None
-            rho = None
-            if d.certificate is not None:
-                rho = float(d.certificate.rho[NAMES.index(mode)] ** (1.0 / d.period))
-            rows.append([name, mode, radius, slow, coordinate(d.slowest[mode]), rho])
+            rows.append([name, mode, radius, slow, coordinate(d.slowest[mode]), rhos.get(mode)])
     return Grid(
         "contraction",
         "Contraction of each mode",
@@ -98,7 +97,7 @@ def _switch_table(found: dict[str, Dwell]) -> Grid:
     for name, d in found.items():
         if d.certificate is not None:
             for (i, j), mu in d.certificate.mu.items():
-                rows.append([name, f"{NAMES[i]}→{NAMES[j]}", mu, d.certificate.gain[i, j]])
+                rows.append([name, f"{MODE_LETTERS[i]}→{MODE_LETTERS[j]}", mu, d.certificate.gain[i, j]])
     return Grid(
         "jumps",
         "Jump of each switch",

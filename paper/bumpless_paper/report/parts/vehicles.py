@@ -2,7 +2,7 @@
 
 from bumpless.config.mission import shipped_mission
 from bumpless.config.vehicle import load_vehicle
-from bumpless.records import FIN, THRUSTER
+from bumpless.contract.modes import MODE_LETTERS
 from bumpless.sim.twin import simulate
 from bumpless_paper.report.content import Figure, Grid, Part
 from bumpless_paper.report.parts import Progress
@@ -13,16 +13,16 @@ FLIGHTS = {"ts100": "docking", "bluerov2_heavy": "rov_docking", "remus100": "rem
 
 def part(progress: Progress) -> Part:
     """Fly each vehicle's docking mission."""
-    from bumpless.metrics import Run, metrics_of
+    from bumpless.metrics import Columns, metrics_of
 
     rows, hashes = [], {}
     figures: list[Figure] = []
     for k, (name, flight) in enumerate(FLIGHTS.items()):
         vehicle, mission = load_vehicle(name), shipped_mission(flight)
         result = simulate(mission, vehicle)
-        m = metrics_of(Run.from_log(result.log, len(vehicle.actuators)), vehicle)
-        flown = [int(result.log["mode"][0]), *(s.to_mode - 1 for s in m.switches)]
-        modes = "→".join("FRH"[mode] for mode in flown)
+        m = metrics_of(Columns.from_log(result.log, len(vehicle.commands)), vehicle)
+        flown = [int(result.log["mode"][0]), *(s.to_mode for s in m.switches)]
+        modes = "→".join(MODE_LETTERS[mode] for mode in flown)
         rows.append(
             [
                 vehicle.name,
@@ -39,9 +39,9 @@ def part(progress: Progress) -> Part:
         runs, said = {vehicle.name: result}, f"{mission.title}. {mission.summary}"
         figures.append(track_figure(f"{name}_track", f"{vehicle.name}: track", said, runs))
         figures.append(pose_figure(f"{name}_pose", f"{vehicle.name}: depth and attitude", "", runs))
-        figures.append(command_figure(f"{name}_thrusters", f"{vehicle.name}: thrusters", "", runs, THRUSTER))
-        if any(a.kind == "fin" for a in vehicle.actuators):
-            figures.append(command_figure(f"{name}_fins", f"{vehicle.name}: fins", "", runs, FIN))
+        for kind in dict.fromkeys(("thruster", *sorted(a.kind for a in vehicle.actuators))):
+            title = f"{vehicle.name}: {kind}s"
+            figures.append(command_figure(f"{name}_{kind}s", title, "", runs, kind))
         figures.append(wrench_figure(f"{name}_wrench", f"{vehicle.name}: wrench", "", result))
         progress((k + 1) / len(FLIGHTS))
     return Part(

@@ -55,15 +55,41 @@
     }
   };
 
-  // The colours of server/bumpless_server/scene/palette.py, said once.
-  const LEGEND = [
-    ["#d946ef", "τ_d demanded"], ["#06b6d4", "τ_c achieved"], ["#ef4444", "residual"],
-    ["#3b82f6", "F forward"], ["#f59e0b", "R reverse"], ["#10b981", "H hover"], ["#94a3b8", "planned path"],
-  ];
+  // What cannot be seen is not drawn: frames are held back while the console shows another view, and viser is
+  // told that the page is hidden, so that it takes in what comes without waiting for a frame. The picture is
+  // up to date in the first frame after.
+  let seen = true;
+  let lastHeld = 0;
+  const held = new Map(); // our number of a frame asked for while unseen -> what to call
+  const plainRequest = window.requestAnimationFrame.bind(window);
+  const plainCancel = window.cancelAnimationFrame.bind(window);
+  window.requestAnimationFrame = (draw) => {
+    if (seen) return plainRequest(draw);
+    held.set(--lastHeld, draw); // below zero, where the browser has no numbers
+    return lastHeld;
+  };
+  window.cancelAnimationFrame = (number) => {
+    if (!held.delete(number)) plainCancel(number);
+  };
+  const isHidden = Object.getOwnPropertyDescriptor(Document.prototype, "hidden").get;
+  Object.defineProperty(Document.prototype, "hidden", {
+    configurable: true,
+    get() { return !seen || isHidden.call(this); },
+  });
+  new IntersectionObserver((entries) => {
+    seen = entries.at(-1).isIntersecting;
+    root.dataset.seen = seen ? "yes" : "no";
+    if (!seen) return;
+    for (const draw of held.values()) plainRequest(draw);
+    held.clear();
+  }).observe(root);
+
+  const LEGEND = __LEGEND__; // [colour, name] in order
 
   addEventListener("DOMContentLoaded", () => {
-    const legend = document.createElement("p");
+    const legend = document.createElement("aside"); // a landmark: it belongs to no other
     legend.id = "scene-legend";
+    legend.setAttribute("aria-label", "Legend");
     for (const [colour, name] of LEGEND) {
       const mark = document.createElement("i");
       mark.style.background = colour;

@@ -1,19 +1,18 @@
 """Mission files, and what can be done with the mission being flown."""
 
-from typing import Any
-
 from fastapi import APIRouter, Body, Request, Response
 from fastapi.concurrency import run_in_threadpool
-from fastapi.responses import JSONResponse
 from google.protobuf.message import Message
 from pydantic import BaseModel, ConfigDict, Field
 
 from bumpless.contract import bumpless_pb2 as pb
+from bumpless_server.web.answers.contract import CommandReply, told
+from bumpless_server.web.answers.missions import MissionDetail, MissionSummary
+from bumpless_server.web.answers.refusal import REFUSALS
 from bumpless_server.web.errors import Refusal
 from bumpless_server.web.routes import Served
-from bumpless_server.web.routes.status import told
 
-router = APIRouter(prefix="/api")
+router = APIRouter(prefix="/api", responses=REFUSALS)
 
 
 class Start(BaseModel):
@@ -34,38 +33,39 @@ async def text_of(request: Request) -> str:
         raise Refusal(422, f"must be UTF-8 text; byte {error.start} is not") from error
 
 
-def carry_out(console: Served, verb: str, request: Message) -> dict[str, Any]:
+def carry_out(console: Served, verb: str, request: Message) -> CommandReply:
     """Ask the vehicle; its refusal is a 409 with its reason."""
-    reply = console.command(verb, request)
-    answer = {"accepted": reply.accepted, "reason": reply.reason, "run_id": reply.run_id}
-    answer["revision"] = reply.revision
-    problems = [told(problem) for problem in reply.problems]
+    reply = told(console.command(verb, request), CommandReply)
     if not reply.accepted:
-        raise Refusal(409, reply.reason or f"the vehicle refuses '{verb}'", problems, **answer)
-    return {**answer, "problems": problems}
+        answer = reply.model_dump()
+        problems = answer.pop("problems")
+        raise Refusal(409, answer["reason"] or f"the vehicle refuses '{verb}'", problems, **answer)
+    return reply
 
 
 @router.get("/missions")
-def missions(console: Served) -> list[dict[str, Any]]:
+def missions(console: Served) -> list[MissionSummary]:
     """All missions, built-in ones first."""
-    return [file.as_dict() for file in console.missions.all()]
+    return [MissionSummary.of(file) for file in console.missions.all()]
 
 
 @router.get("/missions/{name}")
-def mission(console: Served, name: str) -> dict[str, Any]:
+def mission(console: Served, name: str) -> MissionDetail:
     """One mission with its text."""
     file = console.missions.get(name)
     if file is None:
         raise Refusal(404, f"there is no mission {name!r}")
-    return file.as_dict(with_text=True)
+    return MissionDetail.of(file)
 
 
 @router.post("/missions", status_code=201)
-async def upload(console: Served, request: Request, name: str, replace: bool = False) -> JSONResponse:
-    """Check and keep a mission file, sent as the body's text."""
-    text = await text_of(request)
-    file = await run_in_threadpool(console.missions.save, name, text, replace)
-    return JSONResponse(file.as_dict(with_text=True), 201, {"location": f"/api/missions/{file.name}"})
+async def upload(
+    console: Served, request: Request, response: Response, name: str, replace: bool = False
+) -> MissionDetail:
+    """Check and keep a mission file, sent as the body's bytes; they are kept as they are."""
+    file = await run_in_threadpool(console.missions.save, name, await request.body(), replace)
+    response.headers["location"] = f"/api/missions/{file.name}"
+    return MissionDetail.of(file)
 
 
 @router.delete("/missions/{name}", status_code=204)
@@ -77,7 +77,7 @@ def remove(console: Served, name: str) -> Response:
 
 
 @router.post("/mission/start")
-def start(console: Served, wanted: Start = Body(...)) -> dict[str, Any]:
+def start(console: Served, wanted: Start = Body(...)) -> CommandReply:
     """Fly a stored mission."""
     file = console.missions.get(wanted.name)
     if file is None:
@@ -91,7 +91,7 @@ def start(console: Served, wanted: Start = Body(...)) -> dict[str, Any]:
 
 
 @router.post("/mission/{verb}")
-def change(console: Served, verb: str) -> dict[str, Any]:
+def change(console: Served, verb: str) -> CommandReply:
     """Pause, resume or abort."""
     if verb not in ("pause", "resume", "abort"):
         raise Refusal(404, f"there is no command {verb!r}")

@@ -4,7 +4,8 @@ from pathlib import Path
 
 from fastapi import FastAPI
 from fastapi.responses import HTMLResponse, Response
-from fastapi.staticfiles import StaticFiles
+
+from bumpless_server.web.compressed import Compressed
 
 PACKAGE = Path(__file__).parents[2]
 NOT_BUILT = """<!doctype html><html lang="en"><meta charset="utf-8"><title>Bumpless</title>
@@ -20,7 +21,7 @@ def static_folder() -> Path | None:
     return next((folder for folder in folders if (folder / "index.html").is_file()), None)
 
 
-class Page(StaticFiles):
+class Page(Compressed):
     """Static files that a browser asks for anew when their name has no content hash."""
 
     def file_response(self, full_path, *args, **kwargs) -> Response:  # type: ignore[no-untyped-def]

@@ -5,14 +5,18 @@ from typing import Any
 
 from fastapi import APIRouter, Request, Response
 from fastapi.concurrency import run_in_threadpool
+from pydantic import ValidationError
 
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless_server.live import tuning
+from bumpless_server.web.answers.contract import CommandReply
+from bumpless_server.web.answers.parameters import ParametersAnswer, Preset
+from bumpless_server.web.answers.refusal import REFUSALS
 from bumpless_server.web.errors import Refusal
 from bumpless_server.web.routes import Served
 from bumpless_server.web.routes.missions import carry_out, text_of
 
-router = APIRouter(prefix="/api")
+router = APIRouter(prefix="/api", responses=REFUSALS)
 
 
 async def _body(request: Request) -> Any:
@@ -24,56 +28,67 @@ async def _body(request: Request) -> Any:
 
 
 @router.get("/parameters")
-def parameters(console: Served) -> dict[str, Any]:
+def parameters(console: Served) -> ParametersAnswer:
     """What the vehicle flies with now, its defaults, and what each number may be."""
     status = console.state.latest("parameters")
     if not isinstance(status, pb.ParametersStatus):
         raise Refusal(404, f"vehicle {console.state.vehicle_id} has not told its parameters yet")
-    return {
+    answer = {
         "active": tuning.as_json(status.active),
         "defaults": tuning.as_json(status.defaults),
         "revision": status.revision,
         "sha256": status.sha256,
         "ranges": tuning.ranges(),
     }
+    return ParametersAnswer.model_validate(answer)
 
 
 @router.put("/parameters")
-async def change(console: Served, request: Request) -> dict[str, Any]:
+async def change(console: Served, request: Request) -> CommandReply:
     """Ask the vehicle to fly with these, all of them."""
     given = await _body(request)
 
-    def ask() -> dict[str, Any]:
+    def ask() -> CommandReply:
         return carry_out(console, "set_parameters", tuning.parse(given, console.vehicle()))
 
     return await run_in_threadpool(ask)
 
 
-@router.get("/presets")
-def presets(console: Served) -> list[dict[str, Any]]:
+def _preset(kept: dict[str, Any] | None) -> Preset | None:
+    """A kept preset, None for one that is none: a person may have put anything into the folder."""
+    try:
+        return Preset.model_validate(kept)
+    except ValidationError:
+        return None
+
+
+# What a hand-written preset leaves out stays left out: a zero would look like somebody's choice.
+@router.get("/presets", response_model_exclude_unset=True)
+def presets(console: Served) -> list[Preset]:
     """All saved presets."""
-    return console.presets.all()
+    kept = (_preset(preset) for preset in console.presets.all())
+    return [preset for preset in kept if preset is not None]
 
 
-@router.get("/presets/{name}")
-def preset(console: Served, name: str) -> dict[str, Any]:
+@router.get("/presets/{name}", response_model_exclude_unset=True)
+def preset(console: Served, name: str) -> Preset:
     """One preset."""
-    found = console.presets.get(name)
+    found = _preset(console.presets.get(name))
     if found is None:
         raise Refusal(404, f"there is no preset {name!r}")
     return found
 
 
 @router.put("/presets/{name}")
-async def save(console: Served, request: Request, name: str) -> dict[str, Any]:
+async def save(console: Served, request: Request, name: str) -> Preset:
     """Keep or replace a preset: a whole set of parameters within the present vehicle's ranges."""
     given = await _body(request)
 
-    def keep() -> dict[str, Any]:
+    def keep() -> Preset:
         # What is kept is what was understood: {"parameters": {...}} as read, or the object itself.
         inner = given.get("parameters", given) if isinstance(given, dict) else given
         console.presets.save(name, tuning.as_json(tuning.parse(inner, console.vehicle())))
-        return console.presets.get(name) or {}
+        return Preset.model_validate(console.presets.get(name))
 
     return await run_in_threadpool(keep)
 

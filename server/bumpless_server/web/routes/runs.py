@@ -3,66 +3,70 @@
 from collections.abc import Iterator
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Any
 
 from fastapi import APIRouter, Response
 from fastapi.responses import FileResponse, StreamingResponse
 
+from bumpless.runs.names import RECORDING
+from bumpless.runs.writer import RunWriter
 from bumpless_server.runs.catalogue import Row
-from bumpless_server.runs.run_file import RunFile
-from bumpless_server.runs.run_summary import RECORDING
+from bumpless_server.web.answers.contract import Metrics
+from bumpless_server.web.answers.refusal import REFUSALS
+from bumpless_server.web.answers.runs import RunAnswer
 from bumpless_server.web.errors import Refusal
 from bumpless_server.web.routes import Served
 
-router = APIRouter(prefix="/api/runs")
+router = APIRouter(prefix="/api/runs", responses=REFUSALS)
 
 MEDIA_TYPE = "application/x-mcap"
 BLOCK_BYTES = 256 * 1024
 
 
-def _started(started_ns: int) -> str:
-    return datetime.fromtimestamp(started_ns * 1e-9, UTC).isoformat(timespec="milliseconds")
+def _started(started_ns: int) -> datetime:
+    return datetime.fromtimestamp(started_ns // 1_000_000 * 1e-3, UTC)
 
 
-def _finished(row: Row) -> dict[str, Any]:
+def _finished(row: Row) -> RunAnswer:
     told = row.as_dict()
-    return told | {"started": _started(told.pop("started_ns"))}
+    return RunAnswer.model_validate(told | {"started": _started(told.pop("started_ns"))})
 
 
-def _going_on(run: RunFile) -> dict[str, Any]:
+def _going_on(run: RunWriter) -> RunAnswer:
     status = run.status
-    return {
-        "id": run.id,
-        "run_id": run.run_id,
-        "mission": status.mission_name,
-        "mission_sha256": status.mission_sha256,
-        "started": _started(status.stamp.time_ns - round(status.elapsed_s * 1e9)),
-        "duration_s": status.elapsed_s,
-        "bytes": run.flushed_bytes,
-        "messages": run.messages,
-        "state": RECORDING,
-        "end_reason": "",
-        "metrics": None,
-    }
+    return RunAnswer(
+        id=run.id,
+        run_id=run.run_id,
+        mission=status.mission_name,
+        mission_sha256=status.mission_sha256,
+        vehicle="",
+        started=_started(status.stamp.time_ns - round(status.elapsed_s * 1e9)),
+        duration_s=status.elapsed_s,
+        bytes=run.flushed_bytes,
+        messages=run.messages,
+        dropped=0,
+        state=RECORDING,
+        end_reason="",
+        metrics=None,
+    )
 
 
-def _going_on_of(console: Served, run: str) -> RunFile | None:
+def _going_on_of(console: Served, run: str) -> RunWriter | None:
     recording = console.recorder.recording
     return recording if recording is not None and recording.id == run else None
 
 
 @router.get("")
-def runs(console: Served) -> list[dict[str, Any]]:
+def runs(console: Served) -> list[RunAnswer]:
     """All runs, newest first; the one being recorded at the top."""
     recording = console.recorder.recording
     finished = [_finished(row) for row in console.catalogue.rows()]
     if recording is None:
         return finished
-    return [_going_on(recording), *(run for run in finished if run["id"] != recording.id)]
+    return [_going_on(recording), *(run for run in finished if run.id != recording.id)]
 
 
 @router.get("/{run}")
-def one(console: Served, run: str) -> dict[str, Any]:
+def one(console: Served, run: str) -> RunAnswer:
     """One run."""
     recording = _going_on_of(console, run)
     if recording is not None:
@@ -74,15 +78,15 @@ def one(console: Served, run: str) -> dict[str, Any]:
 
 
 @router.get("/{run}/metrics")
-def metrics(console: Served, run: str) -> dict[str, Any]:
+def metrics(console: Served, run: str) -> Metrics:
     """The run's bumpless.Metrics."""
-    found = one(console, run)["metrics"]
+    found = one(console, run).metrics
     if found is None:
         raise Refusal(404, f"run {run!r} has no metrics" + (" yet" if _going_on_of(console, run) else ""))
     return found
 
 
-@router.get("/{run}/log.mcap")
+@router.get("/{run}/log.mcap", response_class=Response, responses={200: {"content": {MEDIA_TYPE: {}}}})
 def download(console: Served, run: str) -> Response:
     """The run's MCAP file; of one being recorded, what is on the disk so far."""
     recording = _going_on_of(console, run)

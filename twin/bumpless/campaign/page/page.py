@@ -8,6 +8,7 @@ from bumpless.campaign.page.plots import current_map, quantity_bars
 from bumpless.campaign.prepared import Prepared
 from bumpless.campaign.quantities import QUANTITIES
 from bumpless.campaign.summary import Share, Summary
+from bumpless.config.declare import as_table
 
 if TYPE_CHECKING:
     import pyarrow as pa
@@ -42,7 +43,7 @@ def replay(file: str, number: int) -> str:
 
 
 def _said(distribution: object) -> str:
-    kind, values = next(iter(distribution.model_dump().items()))  # type: ignore[attr-defined]
+    kind, values = next(iter(as_table(distribution).items()))
     return f"{kind} " + ", ".join(
         f"{value:g}" if isinstance(value, float | int) else value for value in values
     )

@@ -13,15 +13,17 @@ import numpy as np
 from bumpless.campaign.declaration import Weights
 from bumpless.campaign.flight import Row
 from bumpless.campaign.tracking import TRACKING
+from bumpless.config.declare import as_table
+from bumpless.metrics.outcome import Ending
 
 PENALTY = {
-    "docked": 0.0,
-    "held": 0.5,
-    "waved_off": 0.75,
-    "time_over": 1.0,
-    "interrupted": 1.0,
-    "aborted": 1.5,
-    "collided": 2.0,
+    Ending.DOCKED: 0.0,
+    Ending.HELD: 0.5,
+    Ending.WAVED_OFF: 0.75,
+    Ending.TIME_OVER: 1.0,
+    Ending.INTERRUPTED: 1.0,
+    Ending.ABORTED: 1.5,
+    Ending.COLLIDED: 2.0,
 }
 _SCALE = {"depth": 0.1, "cross": 0.1, "heading": 5.0, "speed": 0.05}  # m, m, deg, m/s: errors worth as much
 _RMS = {name: _SCALE[name.split("_")[1]] for name in TRACKING if name.endswith("_rms")}
@@ -55,7 +57,7 @@ def score_of(rows: Sequence[Row], weights: Weights, reference: Quality) -> float
     """See the module."""
     quality = quality_of(rows)
     total = share = 0.0
-    for name, weight in weights.model_dump().items():
+    for name, weight in as_table(weights).items():
         ratio = getattr(quality, name) / getattr(reference, name)
         if np.isfinite(ratio):
             total += weight * ratio

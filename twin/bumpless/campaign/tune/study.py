@@ -15,6 +15,7 @@ from bumpless.campaign.draws import bits
 from bumpless.campaign.engine import answers, in_chunks
 from bumpless.campaign.flight import FlyNumbers, Row
 from bumpless.campaign.parameter_path import changes_of, value_at
+from bumpless.campaign.plain import plain
 from bumpless.campaign.prepared import Prepared, digest
 from bumpless.campaign.store import StoreError
 from bumpless.campaign.tune.score import Quality, endings, quality_of, score_of
@@ -52,7 +53,8 @@ def opened(folder: Path, prepared: Prepared, resume: bool) -> "Study":
         raise StoreError(f"{folder} holds a search already; go on with --resume, or choose another --out")
     storage = JournalStorage(JournalFileBackend(str(folder / FILE)))
     study = optuna.create_study(storage=storage, study_name=prepared.campaign.name, load_if_exists=True)
-    identity = prepared.identity() | {"tune": digest(_tune(prepared).model_dump(exclude={"trials"}))}
+    sought = {key: value for key, value in plain(_tune(prepared)).items() if key != "trials"}
+    identity = prepared.identity() | {"tune": digest(sought)}
     before = study.user_attrs.get("identity", identity)
     changed = [key for key in identity if before.get(key) != identity[key]]
     if changed:

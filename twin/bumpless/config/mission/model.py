@@ -2,75 +2,87 @@
 
 People write missions by hand in YAML; `parse_mission` reads one, or refuses it with every fault and its
 place. Positions are NED with the origin of the mission's own choice, so
-depth is positive down. The same dataclasses give the published JSON Schema (`mission_json_schema`).
+depth is positive down. The same declarations give the published JSON Schema (`mission_json_schema`).
 """
 
 import hashlib
 import math
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Annotated, Any
 
 from bumpless.config.capacity import MAX_FAULTS, MAX_OUTAGES, MAX_WAYPOINTS
-from bumpless.config.mission.fields import (
-    NAME,
-    Entries,
-    Internal,
-    Number,
-    Part,
-    Text,
-    Vector3,
-    Vector6,
-    offset,
-    position,
-    velocity,
-    wrench,
-)
+from bumpless.config.declare import Entries, Number, Overrides, Part, Row, Text, model
+from bumpless.config.names import NED, WRENCH
+from bumpless.config.parameters import Parameters
 from bumpless.config.problems import ProblemsError
+from bumpless.contract.names import MISSION
 
 VERSION = 1
 
-Seconds = Annotated[float, Number("Mission time", 0.0, 1e5, "s")]
-Heading = Annotated[float, Number("Heading, from north over east", -360.0, 360.0, "deg")]
+Vector3 = tuple[float, float, float]
+Vector6 = tuple[float, float, float, float, float, float]
+
+
+def direction(label: str) -> Number:
+    """A direction in the horizontal plane, from north over east."""
+    return Number(label, "deg", -360.0, 360.0)
+
+
+def position(label: str) -> Row:
+    """A place in NED; depth is positive down and never above the water."""
+    hints = ("", "", "depth is positive down")
+    return Row(label, "m", (-1e5, -1e5, 0.0), (1e5, 1e5, 11000.0), names=NED, hints=hints)
+
+
+def moment(label: str) -> Number:
+    """A time of the mission."""
+    return Number(label, "s", 0.0, 1e5)
+
+
+def short_name(label: str) -> Text:
+    """A short name that is fit for file names and keys."""
+    return Text(label, pattern=MISSION.pattern, form=f"must be {MISSION.words}")
 
 
 class MissionError(ProblemsError):
     """A mission file that is refused; `problems` says where and why."""
 
 
-@dataclass(frozen=True)
+@model
 class Start:
     """State of the vehicle at mission time 0; simulated vehicles are put there."""
 
     position_ned_m: Annotated[Vector3, position("Position")]
-    heading_deg: Heading
-    speed_mps: Annotated[float, Number("Surge speed through the water", 0.0, 5.0, "m/s")] = 0.0
+    heading_deg: Annotated[float, direction("Heading, from north over east")]
+    speed_mps: Annotated[float, Number("Surge speed through the water", "m/s", 0.0, 5.0)] = 0.0
 
 
-@dataclass(frozen=True)
+@model
 class Leg:
     """A straight line from the end of the leg before (the first: from the start)."""
 
     to_ned_m: Annotated[Vector3, position("End of the leg")]
     speed_mps: Annotated[
         float,
-        Number(
-            "Surge speed, through the water with guidance.crab_gain 1, over ground with 0", 0.01, 5.0, "m/s"
-        ),
-    ]
+        Number("Surge speed", "m/s", 0.01, 5.0,
+               help="Through the water with guidance.crab_gain 1, over ground with 0."),
+    ]  # fmt: skip
 
 
-@dataclass(frozen=True)
+@model
 class Target:
     """The docking target with its QR code; the heading is the one to approach with."""
 
     position_ned_m: Annotated[Vector3, position("Position")]
-    heading_deg: Heading
+    heading_deg: Annotated[float, direction("Heading to approach with, from north over east")]
     standoff_m: Annotated[
-        float, Number("Distance of the observation point before the target", 0.0, 100.0, "m")
+        float, Number("Distance of the observation point before the target", "m", 0.0, 100.0)
     ]
     true_offset_ned_m: Annotated[
-        Vector3, offset("Where a simulated target truly is, from position_ned_m; the vehicle must find out")
-    ] = (0.0, 0.0, 0.0)
+        Vector3,
+        Row("Where a simulated target truly is, from position_ned_m", "m", -100.0, 100.0, names=NED,
+            help="The vehicle must find out."),
+    ] = (0.0, 0.0, 0.0)  # fmt: skip
 
     @property
     def true_position_ned_m(self) -> Vector3:
@@ -86,117 +98,121 @@ class Target:
         return (n - self.standoff_m * math.cos(heading), e - self.standoff_m * math.sin(heading), d)
 
 
-@dataclass(frozen=True)
+@model
 class CurrentVariation:
     """First-order Gauss-Markov variation added to each horizontal component of the current."""
 
-    std_mps: Annotated[float, Number("Standard deviation", 0.0, 2.0, "m/s")]
-    time_constant_s: Annotated[float, Number("Correlation time", 0.1, 1e5, "s")]
+    std_mps: Annotated[float, Number("Standard deviation", "m/s", 0.0, 2.0)]
+    time_constant_s: Annotated[float, Number("Correlation time", "s", 0.1, 1e5)]
 
 
-@dataclass(frozen=True)
+@model
 class Wave:
     """A regular deep-water wave whose orbital motion decays with depth."""
 
-    height_m: Annotated[float, Number("Height from trough to crest", 0.0, 20.0, "m")]
-    period_s: Annotated[float, Number("Period", 1.0, 60.0, "s")]
-    direction_deg: Annotated[float, Number("Heading towards which it travels", -360.0, 360.0, "deg")] = 0.0
+    height_m: Annotated[float, Number("Height from trough to crest", "m", 0.0, 20.0)]
+    period_s: Annotated[float, Number("Period", "s", 1.0, 60.0)]
+    direction_deg: Annotated[float, direction("Heading towards which it travels")] = 0.0
 
 
-@dataclass(frozen=True)
+@model
 class Environment:
     """What acts on the vehicle besides itself."""
 
-    current_ned_mps: Annotated[Vector3, velocity("Current, the way it flows")] = (0.0, 0.0, 0.0)
-    current_variation: Annotated[CurrentVariation | None, Part("Slow change of the current")] = None
-    wave: Annotated[Wave | None, Part("Wave")] = None
-    disturbance_body_n_nm: Annotated[Vector6, wrench("Constant disturbance tau_e")] = (
-        0.0,
-        0.0,
-        0.0,
+    current_ned_mps: Annotated[Vector3, Row("Current, the way it flows", "m/s", -5.0, 5.0, names=NED)] = (
         0.0,
         0.0,
         0.0,
     )
+    current_variation: Annotated[CurrentVariation | None, Part("Slow change of the current")] = None
+    wave: Annotated[Wave | None, Part("Wave")] = None
+    disturbance_body_n_nm: Annotated[
+        Vector6, Row("Constant disturbance τ_e in body axes", "N or N·m", -1e4, 1e4, names=WRENCH)
+    ] = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
-@dataclass(frozen=True)
+@model
 class Detection:
     """What this mission changes of the vehicle's target camera; what is left out stays."""
 
-    range_max_m: Annotated[float | None, Number("Farthest detection", 0.1, 200.0, "m")] = None
-    field_of_view_half_deg: Annotated[float | None, Number("Half angle of view", 1.0, 90.0, "deg")] = None
-    dropout_probability: Annotated[float | None, Number("Share of frames missed", 0.0, 1.0)] = None
+    range_max_m: Annotated[float | None, Number("Farthest detection", "m", 0.1, 200.0)] = None
+    field_of_view_half_deg: Annotated[float | None, Number("Half angle of view", "deg", 1.0, 90.0)] = None
+    dropout_probability: Annotated[float | None, Number("Share of frames missed", "", 0.0, 1.0)] = None
 
 
-@dataclass(frozen=True)
+@model
 class Outage:
     """A time in which the target isn't seen, whatever the geometry."""
 
-    from_s: Seconds
-    to_s: Seconds
+    from_s: Annotated[float, moment("Begin")]
+    to_s: Annotated[float, moment("End")]
 
 
-@dataclass(frozen=True)
+@model
 class Sensors:
     """What this mission changes of the vehicle's sensors."""
 
     noise_scale: Annotated[
-        float, Number("Factor on every noise of the vehicle file; 0 is none", 0.0, 20.0)
+        float, Number("Factor on every noise of the vehicle file; 0 is none", "", 0.0, 20.0)
     ] = 1.0
     detection: Annotated[Detection | None, Part("Target camera")] = None
-    outages: Annotated[tuple[Outage, ...], Entries("Times without the target", 0, MAX_OUTAGES)] = ()
+    outages: Annotated[tuple[Outage, ...], Entries("Times without the target", most=MAX_OUTAGES)] = ()
 
 
-@dataclass(frozen=True)
+@model
 class Fault:
     """An actuator loses effect: its force falls to `effectiveness` of the healthy one."""
 
     actuator: Annotated[str, Text("Name of the actuator in the vehicle file")]
-    at_s: Seconds
-    effectiveness: Annotated[float, Number("Share of the force that is left", 0.0, 1.0)]
-    blend_s: Annotated[float, Number("Time over which the change is blended in", 0.0, 1000.0, "s")] = 0.0
+    at_s: Annotated[float, moment("When it comes")]
+    effectiveness: Annotated[float, Number("Share of the force that is left", "", 0.0, 1.0)]
+    blend_s: Annotated[float, Number("Time over which the change is blended in", "s", 0.0, 1000.0)] = 0.0
 
 
-@dataclass(frozen=True)
+@model
 class End:
     """When the mission is complete before its duration is over."""
 
     hover_hold_s: Annotated[
         float | None,
-        Number(
-            "Complete after so long in hover within range_rh_upper_m on end; never if left out", 0.1, 1e5, "s"
-        ),
-    ] = None
+        Number("Complete after so long in hover", "s", 0.1, 1e5,
+               help="Within range_rh_upper_m, on end; never if left out."),
+    ] = None  # fmt: skip
 
 
-@dataclass(frozen=True)
-class Mission:
-    """A whole mission, checked."""
+@model
+class Document:
+    """What a mission file says."""
 
-    version: Annotated[int, Number("Version of this format", VERSION, VERSION)]
-    name: Annotated[str, Text("Short name", NAME)]
-    vehicle: Annotated[str, Text("Vehicle that flies it, such as ts100", NAME)]
-    duration_s: Annotated[float, Number("Longest duration", 1.0, 1e5, "s")]
+    version: Annotated[int, Number("Version of this format", "", VERSION, VERSION)]
+    name: Annotated[str, short_name("Short name")]
+    vehicle: Annotated[str, short_name("Vehicle that flies it, such as ts100")]
+    duration_s: Annotated[float, Number("Longest duration", "s", 1.0, 1e5)]
     start: Annotated[Start, Part("Where the vehicle starts")]
-    legs: Annotated[tuple[Leg, ...], Entries("Path", 1, MAX_WAYPOINTS - 1)]
+    legs: Annotated[tuple[Leg, ...], Entries("Path", fewest=1, most=MAX_WAYPOINTS - 1)]
     target: Annotated[Target, Part("Docking target")]
     title: Annotated[str, Text("Title for people")] = ""
     summary: Annotated[str, Text("What it is for, in a sentence or two")] = ""
-    seed: Annotated[int, Number("Seed of every random number", 0, 2**32 - 1)] = 0
+    seed: Annotated[int, Number("Seed of every random number", "", 0, 2**32 - 1)] = 0
     environment: Annotated[Environment, Part("Sea")] = Environment()
     sensors: Annotated[Sensors, Part("Sensors")] = Sensors()
-    faults: Annotated[tuple[Fault, ...], Entries("Faults of actuators", 0, MAX_FAULTS)] = ()
-    parameters: Annotated[dict[str, Any], Part("Overrides of the vehicle's control parameters")] = field(
-        default_factory=dict
-    )
+    faults: Annotated[tuple[Fault, ...], Entries("Faults of actuators", most=MAX_FAULTS)] = ()
+    parameters: Annotated[
+        dict[str, Any], Overrides("Overrides of the vehicle's control parameters", of=Parameters)
+    ] = field(default_factory=dict)
     end: Annotated[End, Part("Early end")] = End()
-    source: Annotated[str, Internal()] = ""  # name of the file
-    text: Annotated[str, Internal()] = field(default="", repr=False)  # the file, whole
+
+
+@model
+class Mission(Document):
+    """A mission, checked, with the file that it was read from."""
+
+    source: str = ""  # name of the file
+    text: str = field(default="", repr=False)  # the file, whole: its bytes as UTF-8, line ends and all
 
     @property
     def sha256(self) -> str:
-        """Hash of the file's text: the mission's identity."""
+        """Hash of the file's bytes: the mission's identity."""
         return hashlib.sha256(self.text.encode()).hexdigest()
 
     @property

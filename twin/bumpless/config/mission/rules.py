@@ -1,56 +1,57 @@
 """Rules between a mission's fields, and between the mission and its vehicle."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from itertools import pairwise
-from typing import TYPE_CHECKING
+from typing import Any
 
-from bumpless.config.mission.document import Document
+from bumpless.config.declare import Broken
 from bumpless.config.mission.model import Mission
 from bumpless.config.parameters import ParameterError, check, default_parameters, with_overrides
-from bumpless.config.problems import Problem, ProblemsError
-
-if TYPE_CHECKING:
-    from bumpless.config.vehicle import Vehicle
+from bumpless.config.problems import ProblemsError
+from bumpless.config.vehicle import Vehicle, load_vehicle
+from bumpless.contract.names import MISSION
 
 SHORTEST_LEG_M = 0.5
 
 
-def check_rules(
-    document: Document, mission: Mission, vehicle: "Vehicle | None", any_vehicle: bool = False
-) -> None:
-    """Add a problem to the document for each broken rule."""
-    for path, value, rule in (*_legs(mission), *_target(mission), *_times(mission)):
-        document.refuse(path, value, rule)
+def broken_rules(mission: Mission, vehicle: Vehicle | None, any_vehicle: bool = False) -> list[Broken]:
+    """Every broken rule, by its path in the file."""
+    found = [*_legs(mission), *_target(mission), *_times(mission)]
     if vehicle is None:
-        vehicle = _vehicle_by_name(document, mission)
+        try:
+            vehicle = load_vehicle(mission.vehicle)
+        except (ProblemsError, OSError) as error:
+            reason = error.problems[0].rule if isinstance(error, ProblemsError) else "no such vehicle"
+            found.append(("vehicle", mission.vehicle, reason))
     elif mission.vehicle != vehicle.id and not any_vehicle:
-        document.refuse("vehicle", mission.vehicle, f"must be {vehicle.id}, the vehicle that is to fly it")
+        found.append(("vehicle", mission.vehicle, f"must be {vehicle.id}, the vehicle that is to fly it"))
     if vehicle is not None:
-        for path, value, rule in _faults(mission, vehicle):
-            document.refuse(path, value, rule)
-        for problem in parameter_problems(mission, vehicle):
-            document.refuse(f"parameters.{problem.field}", problem.value, problem.rule)
+        found += [*_faults(mission, vehicle), *_parameters(mission.parameters, vehicle)]
+    return [Broken(*one) for one in found]
 
 
-def parameter_problems(mission: Mission, vehicle: "Vehicle") -> list[Problem]:
-    """What is wrong with the mission's parameters on this vehicle; fields without `parameters.`."""
+def broken_overrides(tree: Mapping[str, Any], vehicle: Vehicle | None) -> list[Broken]:
+    """What is wrong with the parameters of a mission whose other fields can't be read."""
+    overrides, name = tree.get("parameters"), tree.get("vehicle")
+    if not isinstance(overrides, dict):
+        return []
+    if vehicle is None:
+        if not isinstance(name, str) or not MISSION.allows(name):
+            return []
+        try:
+            vehicle = load_vehicle(name)
+        except (ProblemsError, OSError):
+            return []
+    return [Broken(*one) for one in _parameters(overrides, vehicle)]
+
+
+def _parameters(overrides: Mapping[str, Any], vehicle: Vehicle) -> list[tuple[str, object, str]]:
     try:
-        parameters = with_overrides(default_parameters(vehicle), mission.parameters)
+        problems = check(with_overrides(default_parameters(vehicle), overrides), vehicle)
     except ParameterError as error:
-        return list(error.problems)
-    return check(parameters, vehicle)
-
-
-def _vehicle_by_name(document: Document, mission: Mission) -> "Vehicle | None":
-    from bumpless.config.vehicle import load_vehicle
-
-    try:
-        return load_vehicle(mission.vehicle)
-    except (ProblemsError, OSError) as error:
-        reason = error.problems[0].rule if isinstance(error, ProblemsError) else "no such vehicle"
-        document.refuse("vehicle", mission.vehicle, reason)
-        return None
+        problems = error.problems
+    return [(f"parameters.{one.field}", one.value, one.rule) for one in problems]
 
 
 def _legs(mission: Mission) -> Iterator[tuple[str, object, str]]:
@@ -84,7 +85,7 @@ def _times(mission: Mission) -> Iterator[tuple[str, object, str]]:
         yield "end.hover_hold_s", hold, f"must be shorter than duration_s ({mission.duration_s:g})"
 
 
-def _faults(mission: Mission, vehicle: "Vehicle") -> Iterator[tuple[str, object, str]]:
+def _faults(mission: Mission, vehicle: Vehicle) -> Iterator[tuple[str, object, str]]:
     names = [actuator.name for actuator in vehicle.actuators]
     seen: set[str] = set()
     for i, fault in enumerate(mission.faults):

@@ -19,4 +19,4 @@ def shipped_mission(name: str) -> Mission:
     path = missions_folder() / f"{name}.yaml"
     if not path.is_file():
         raise FileNotFoundError(f"no mission {name}")
-    return parse_mission(path.read_text(encoding="utf-8"), path.name)
+    return parse_mission(path.read_bytes(), path.name)

@@ -1,53 +1,85 @@
-"""The live-tunable part of the parameters as the contract's message, and back onto a base."""
+"""The part of the parameters that may change in flight, as the contract's message, and back onto a base.
 
-from dataclasses import replace
-from typing import TYPE_CHECKING
+Which fields that is the declarations say (`live=True`); the message has a field of the same name for each.
+"""
 
-from bumpless.config.parameters.model import ModeParameters, Parameters, SupervisorParameters
-from bumpless.config.parameters.ranges import MODES
+from typing import TYPE_CHECKING, Any
+
+from bumpless.config.declare import Broken, Unread, as_table, fields_of, read, unknown
+from bumpless.config.parameters.load import with_overrides
+from bumpless.config.parameters.model import Parameters
+from bumpless.config.problems import Problem
 
 if TYPE_CHECKING:
     from bumpless.contract import bumpless_pb2
 
-MECHANISMS = ("ramp", "integrator_alignment", "warm_start_projection")
+
+def live_fields() -> dict[str, list[str]]:
+    """Keys that may change in flight, by section."""
+    sections = {
+        name: [key for key, field in fields_of(section.kind).items() if field.note.live]
+        for name, section in fields_of(Parameters).items()
+    }
+    return {name: keys for name, keys in sections.items() if keys}
 
 
 def to_message(parameters: Parameters) -> "bumpless_pb2.Parameters":
-    """Weights, ramps, thresholds and switching mechanisms as `bumpless.Parameters`."""
+    """What may change in flight as `bumpless.Parameters`."""
     from bumpless.contract import bumpless_pb2
 
     message = bumpless_pb2.Parameters()
-    for name in MODES:
-        mode: ModeParameters = getattr(parameters, name)
-        target = getattr(message, name)
-        target.q_diagonal.extend(mode.q_diagonal)
-        target.r_diagonal.extend(mode.r_diagonal)
-        setattr(target, "lambda", mode.lambda_)
-        target.ramp_cycles = mode.ramp_cycles
-    for key in SupervisorParameters.__dataclass_fields__:
-        setattr(message.supervisor, key, getattr(parameters.supervisor, key))
-    for key in MECHANISMS:
-        setattr(message.bumpless, key, getattr(parameters.bumpless, key))
+    for name, keys in live_fields().items():
+        table, target = as_table(getattr(parameters, name)), getattr(message, name)
+        for key in keys:
+            if isinstance(table[key], list):
+                getattr(target, key).extend(table[key])
+            else:
+                setattr(target, key, table[key])
     return message
 
 
 def from_message(message: "bumpless_pb2.Parameters", base: Parameters) -> Parameters:
-    """`base` with every section that the message carries laid over it; `check` comes after."""
-    changed = {}
-    for name in MODES:
-        if message.HasField(name):
+    """`base` with every section that the message carries laid over it.
+
+    Raises ParameterError for numbers out of their range; `check`, for rules between them, comes after.
+    """
+    tables: dict[str, dict[str, Any]] = {}
+    for name, keys in live_fields().items():
+        if message.HasField(name):  # type: ignore[arg-type]
             source = getattr(message, name)
-            changed[name] = replace(
-                getattr(base, name),
-                q_diagonal=tuple(source.q_diagonal),
-                r_diagonal=tuple(source.r_diagonal),
-                lambda_=getattr(source, "lambda"),
-                ramp_cycles=source.ramp_cycles,
-            )
-    if message.HasField("supervisor"):
-        keys = SupervisorParameters.__dataclass_fields__
-        changed["supervisor"] = SupervisorParameters(**{k: getattr(message.supervisor, k) for k in keys})
-    if message.HasField("bumpless"):
-        mechanisms = {k: getattr(message.bumpless, k) for k in MECHANISMS}
-        changed["bumpless"] = replace(base.bumpless, **mechanisms)
-    return replace(base, **changed)
+            tables[name] = {key: _plain(getattr(source, key)) for key in keys}
+    return with_overrides(base, tables)
+
+
+def live_problems(given: Any) -> list[Problem]:
+    """What is wrong with a whole set of live parameters as nested plain values; none may be absent."""
+    if not isinstance(given, dict):
+        return [Problem("", None, None, "", given, "must be an object of parameters")]
+    live = live_fields()
+    found = [Broken(str(name), None, unknown(name, live)) for name in given if name not in live]
+    for name, keys in live.items():
+        if name not in given:
+            found.append(Broken(name, None, "is missing"))
+            continue
+        wanted = _without_others(name, keys, given[name])
+        found += [Broken(f"{name}.{one.path}" if one.path else name, one.value, one.rule) for one in wanted]
+    return [Problem("", None, None, *one) for one in found]
+
+
+def _without_others(name: str, keys: list[str], table: Any) -> list[Broken]:
+    """What is wrong with the live part of a section; the fields that are not live are no part of it."""
+    model = fields_of(Parameters)[name].kind
+    others = [key for key in fields_of(model) if key not in keys]
+    strangers = [key for key in table if key in others] if isinstance(table, dict) else []
+    found = [Broken(key, table[key], "may not change in flight") for key in strangers]
+    try:
+        read(model, table)
+    except Unread as error:
+        found += [one for one in error.broken if one.path not in others]
+    missing = [key for key in keys if isinstance(table, dict) and key not in table]
+    told = {one.path for one in found}
+    return found + [Broken(key, None, "is missing") for key in missing if key not in told]
+
+
+def _plain(value: Any) -> Any:
+    return value if isinstance(value, bool | int | float) else list(value)

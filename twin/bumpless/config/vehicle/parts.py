@@ -1,103 +1,45 @@
-"""The parts of a vehicle as its file describes them: every field carries its unit in its name.
+"""The actuators of a vehicle as its file describes them: every field carries its unit in its name.
 
-Body axes: x forward, y starboard, z down, origin O_b. Files use degrees and rpm; `physics.model` converts.
+A new kind is a class under `@model` with a `kind` of its own word, and its name in `Actuator` below. Reader,
+schema, catalogue and reference then know it. The class must also have `commands`, `position_m` and
+`direction`. What it does is told to `bumpless.physics.actuators`; the way: docs/add_actuator_kind.md.
+
+Body axes: x forward, y starboard, z down, origin O_b. Files use degrees and rpm; each kind's `fill` converts.
 """
 
 import math
 from dataclasses import dataclass
+from typing import Annotated, Literal
 
-from bumpless.config.vehicle.fields import choice, number, text, vector
+from pydantic import Field
+
+from bumpless.config.declare import Choice, Number, Row, Text, model
+from bumpless.config.names import BODY
+from bumpless.config.vehicle.body import Appendage as Appendage
+from bumpless.config.vehicle.body import Environment as Environment
+from bumpless.config.vehicle.body import Hull as Hull
+from bumpless.config.vehicle.body import Mass as Mass
+from bumpless.config.vehicle.body import MyringHull as MyringHull
+from bumpless.config.vehicle.body import TabulatedHull as TabulatedHull
 
 
-@dataclass(frozen=True)
-class Environment:
-    """The water the vehicle's coefficients are stated for."""
-
-    water_density_kgpm3: float = number(above=0)
-    gravity_mps2: float = number(above=0)
-
-
-@dataclass(frozen=True)
-class Mass:
-    """Rigid body and buoyancy. Inertias are about the centre of gravity, along body axes."""
-
-    mass_kg: float = number(above=0)
-    displaced_volume_m3: float = number(above=0)
-    center_of_gravity_m: tuple[float, float, float] = vector(3)
-    center_of_buoyancy_m: tuple[float, float, float] = vector(3)
-    moments_of_inertia_kgm2: tuple[float, float, float] = vector(3, low=1e-6)  # I_xx, I_yy, I_zz
-    product_of_inertia_xz_kgm2: float = number(default=0.0)
+def actuator_name() -> Text:
+    """The name by which missions, messages and screens know an actuator."""
+    return Text("Name", pattern=".+", form="must not be empty")
 
 
 @dataclass(frozen=True)
-class MyringHull:
-    """A torpedo hull of Myring's form and what its drag and lift depend on.
+class Command:
+    """One number that an actuator is told: one entry of u, one row on the screen."""
 
-    Source: Prestero 2001, section 3.1; Myring 1976.
-    """
-
-    kind: str = choice("myring")
-    diameter_m: float = number(above=0)
-    nose_length_m: float = number(above=0)  # a
-    nose_offset_m: float = number(low=0)  # a_offset: cut off in front
-    middle_length_m: float = number(low=0)  # b
-    tail_length_m: float = number(above=0)  # c
-    tail_offset_m: float = number(low=0)  # c_offset: cut off behind
-    nose_exponent: float = number(above=0)  # n
-    tail_half_angle_deg: float = number(above=0, high=60)  # theta
-    nose_to_origin_m: float = number(above=0)  # from the nose tip back to O_b
-    skin_friction_coefficient: float = number(above=0, high=0.1)  # c_ss on the wetted surface
-    cross_flow_drag_coefficient: float = number(low=0, high=3)  # c_dc of the hull's sections
-    body_lift_slope_per_rad: float = number(low=0)  # c_ydb, on diameter squared
-    body_lift_x_m: float = number()  # where body lift acts in forward flow, x_cp
-    linear_damping: tuple[float, ...] = vector(6, low=0, default=(0.0,) * 6)  # N s/m | N m s, diagonal
-
-    @property
-    def length_m(self) -> float:
-        """Overall length, both ends as cut."""
-        return (
-            self.nose_length_m
-            - self.nose_offset_m
-            + self.middle_length_m
-            + self.tail_length_m
-            - self.tail_offset_m
-        )
+    name: str
+    actuator: str  # whose it is
+    unit: str  # "deg" or "rpm"
+    lower: float  # bounds in `unit`
+    upper: float
 
 
-@dataclass(frozen=True)
-class TabulatedHull:
-    """A body whose coefficients were measured: diagonals about O_b in wrench order X Y Z K M N."""
-
-    kind: str = choice("tabulated")
-    size_m: tuple[float, float, float] = vector(3, low=0.001)  # bounding box: length, width, height
-    added_mass: tuple[float, ...] = vector(6, low=0)  # kg | kg m^2
-    linear_damping: tuple[float, ...] = vector(6, low=0)  # N s/m | N m s
-    quadratic_damping: tuple[float, ...] = vector(6, low=0)  # N s^2/m^2 | N m s^2
-
-    @property
-    def length_m(self) -> float:
-        """Length of the bounding box."""
-        return self.size_m[0]
-
-    @property
-    def diameter_m(self) -> float:
-        """Height of the bounding box."""
-        return self.size_m[2]
-
-
-Hull = MyringHull | TabulatedHull
-
-
-@dataclass(frozen=True)
-class Appendage:
-    """Something that sticks out of the hull and drags: drag area C_D A along each body axis."""
-
-    name: str = text()
-    position_m: tuple[float, float, float] = vector(3)
-    drag_area_m2: tuple[float, float, float] = vector(3, low=0)
-
-
-@dataclass(frozen=True)
+@model
 class Fin:
     """A rudder on a radial stock. delta > 0 lifts along e_L = [0, cos lambda, sin lambda] in forward flow,
 
@@ -106,25 +48,23 @@ class Fin:
     Source: Gao et al. 2026, eqs. (13)-(20).
     """
 
-    name: str = text()
-    kind: str = choice("fin")
-    x_m: float = number()
-    arm_m: float = number(above=0)  # from the x axis to where lift acts
-    radial_direction_deg: float = number()  # of the stock, from +y towards +z
-    planform_area_m2: float = number(above=0)
-    span_m: float = number(above=0)
-    chord_m: float = number(above=0)  # mean
-    deflection_max_deg: float = number(above=0, high=60)
-    deflection_rate_degps: float = number(above=0)
-    time_constant_s: float = number(above=0)
-    lift_slope_per_rad: float = number(above=0)
-    drag_coefficient_zero: float = number(low=0)
-    drag_rise_per_rad2: float = number(low=0)
-    stall_angle_deg: float = number(above=0, high=60)
-    reverse_lift_share: float = number(low=0, high=1)
-    cross_flow_drag_coefficient: float = number(low=0, high=3)  # c_df, flow across the plate
-
-    unit = "deg"
+    name: Annotated[str, actuator_name()]
+    kind: Annotated[Literal["fin"], Choice("Kind of actuator")]
+    x_m: Annotated[float, Number("Where lift acts along x", "m")]
+    arm_m: Annotated[float, Number("From the x axis to where lift acts", "m", above=0.0)]
+    radial_direction_deg: Annotated[float, Number("Direction of the stock, from +y towards +z", "deg")]
+    planform_area_m2: Annotated[float, Number("Planform area", "m²", above=0.0)]
+    span_m: Annotated[float, Number("Span", "m", above=0.0)]
+    chord_m: Annotated[float, Number("Mean chord", "m", above=0.0)]
+    deflection_max_deg: Annotated[float, Number("Largest deflection", "deg", max=60.0, above=0.0)]
+    deflection_rate_degps: Annotated[float, Number("Fastest change of the deflection", "deg/s", above=0.0)]
+    time_constant_s: Annotated[float, Number("Time constant", "s", above=0.0)]
+    lift_slope_per_rad: Annotated[float, Number("Slope of the lift coefficient", "1/rad", above=0.0)]
+    drag_coefficient_zero: Annotated[float, Number("Drag coefficient without lift", "", 0.0)]
+    drag_rise_per_rad2: Annotated[float, Number("Rise of the drag coefficient", "1/rad²", 0.0)]
+    stall_angle_deg: Annotated[float, Number("Angle of stall", "deg", max=60.0, above=0.0)]
+    reverse_lift_share: Annotated[float, Number("Share of the lift in reversed flow", "", 0.0, 1.0)]
+    cross_flow_drag_coefficient: Annotated[float, Number("c_df, of flow across the plate", "", 0.0, 3.0)]
 
     @property
     def position_m(self) -> tuple[float, float, float]:
@@ -139,51 +79,84 @@ class Fin:
         return (0.0, math.cos(a), math.sin(a))
 
     @property
-    def command_min(self) -> float:
-        """Lower bound in `unit`."""
-        return -self.deflection_max_deg
-
-    @property
-    def command_max(self) -> float:
-        """Upper bound in `unit`."""
-        return self.deflection_max_deg
+    def commands(self) -> tuple[Command, ...]:
+        """The deflection."""
+        limit = self.deflection_max_deg
+        return (Command(self.name, self.name, "deg", -limit, limit),)
 
 
-@dataclass(frozen=True)
-class Thruster:
-    """A screw with thrust along `direction`; K_T and K_Q fall linearly with the advance ratio.
+@model
+class Screw:
+    """What every screw has; K_T and K_Q fall linearly with the advance ratio.
 
     Source: Gao et al. 2026, eqs. (8)-(12).
     """
 
-    name: str = text()
-    kind: str = choice("thruster")
-    position_m: tuple[float, float, float] = vector(3)
-    direction: tuple[float, float, float] = vector(3)  # normalised on use
-    diameter_m: float = number(above=0)
-    thrust_coefficient: float = number(above=0)  # K_T at J = 0
-    thrust_slope: float = number(low=0)  # -dK_T/dJ
-    torque_coefficient: float = number(low=0)  # K_Q at J = 0
-    torque_slope: float = number(low=0)  # -dK_Q/dJ
-    reverse_thrust_share: float = number(low=0, high=1)  # K_T at n < 0 over K_T at n > 0
-    wake_fraction: float = number(low=0, high=0.9)  # V_A = (1 - w) times the flow along `direction`
-    hand: str = choice("right", "left", "balanced")  # balanced: no torque reaches the hull
-    shaft_speed_min_rpm: float = number(high=0)
-    shaft_speed_max_rpm: float = number(above=0)
-    shaft_acceleration_rpmps: float = number(above=0)
-    time_constant_s: float = number(above=0)
+    name: Annotated[str, actuator_name()]
+    kind: Annotated[str, Text("Kind of actuator")]
+    position_m: Annotated[tuple[float, float, float], Row("Where it is", "m", names=BODY)]
+    diameter_m: Annotated[float, Number("Diameter", "m", above=0.0)]
+    thrust_coefficient: Annotated[float, Number("K_T at J = 0", "", above=0.0)]
+    thrust_slope: Annotated[float, Number("-dK_T/dJ", "", 0.0)]
+    torque_coefficient: Annotated[float, Number("K_Q at J = 0", "", 0.0)]
+    torque_slope: Annotated[float, Number("-dK_Q/dJ", "", 0.0)]
+    reverse_thrust_share: Annotated[
+        float, Number("Share of the thrust backwards", "", 0.0, 1.0, help="K_T at n < 0 over K_T at n > 0.")
+    ]
+    wake_fraction: Annotated[
+        float,
+        Number("w, wake fraction", "", 0.0, 0.9, help="V_A = (1 - w) times the flow along the thrust."),
+    ]
+    hand: Annotated[
+        Literal["right", "left", "balanced"],
+        Choice("Hand of the screw", help="balanced: no torque reaches the hull."),
+    ]
+    shaft_speed_min_rpm: Annotated[float, Number("Fastest backwards", "rpm", max=0.0)]
+    shaft_speed_max_rpm: Annotated[float, Number("Fastest forwards", "rpm", above=0.0)]
+    shaft_acceleration_rpmps: Annotated[
+        float, Number("Fastest change of the shaft speed", "rpm/s", above=0.0)
+    ]
+    time_constant_s: Annotated[float, Number("Time constant", "s", above=0.0)]
 
-    unit = "rpm"
+
+@model
+class Thruster(Screw):
+    """A screw that pushes along `direction`."""
+
+    kind: Annotated[Literal["thruster"], Choice("Kind of actuator")]
+    direction: Annotated[
+        tuple[float, float, float],
+        Row("Where positive thrust pushes", names=BODY, nonzero=True, help="Normalised on use."),
+    ]
 
     @property
-    def command_min(self) -> float:
-        """Lower bound in `unit`."""
-        return self.shaft_speed_min_rpm
+    def commands(self) -> tuple[Command, ...]:
+        """The shaft speed."""
+        return (Command(self.name, self.name, "rpm", self.shaft_speed_min_rpm, self.shaft_speed_max_rpm),)
+
+
+@model
+class Azimuth(Screw):
+    """A screw in a pod that turns: at the angle 0 it pushes along x_b, at +90 deg along y_b."""
+
+    kind: Annotated[Literal["azimuth"], Choice("Kind of actuator")]
+    angle_max_deg: Annotated[float, Number("Largest angle, to either side", "deg", max=180.0, above=0.0)]
+    angle_rate_degps: Annotated[float, Number("Fastest change of the angle", "deg/s", above=0.0)]
+    angle_time_constant_s: Annotated[float, Number("Time constant of the angle", "s", above=0.0)]
 
     @property
-    def command_max(self) -> float:
-        """Upper bound in `unit`."""
-        return self.shaft_speed_max_rpm
+    def direction(self) -> tuple[float, float, float]:
+        """Unit vector of thrust at the angle 0, in body axes."""
+        return (1.0, 0.0, 0.0)
+
+    @property
+    def commands(self) -> tuple[Command, ...]:
+        """The shaft speed, then the angle."""
+        speed, angle, limit = f"{self.name}_speed", f"{self.name}_angle", self.angle_max_deg
+        return (
+            Command(speed, self.name, "rpm", self.shaft_speed_min_rpm, self.shaft_speed_max_rpm),
+            Command(angle, self.name, "deg", -limit, limit),
+        )
 
 
-Actuator = Fin | Thruster
+Actuator = Annotated[Fin | Thruster | Azimuth, Field(discriminator="kind")]

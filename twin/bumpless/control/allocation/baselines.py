@@ -1,15 +1,16 @@
 """What the paper compares with: a direct PID mapping (S1) and a weighted pseudo-inverse (S2).
 
 Source: Gao et al. 2026, sec. 4.2 and table 5. Neither knows bounds: commands are clipped afterwards.
+Both are linear at rest, where only the first command of an actuator has an effect: a pod stays straight.
 """
-
-from math import sqrt
 
 import numpy as np
 
-from bumpless.control.allocation.wrench_map import to_command, to_x, wrench_map
+from bumpless.contract.enums import SOLVED
+from bumpless.control.allocation.record import SPEED_LINEAR
+from bumpless.control.allocation.wrench_map import wrench_map
 from bumpless.jit import jit
-from bumpless.records import FIN, SPEED_LINEAR
+from bumpless.physics.actuators import to_command, to_x
 
 _DAMPING = 1e-6
 
@@ -39,7 +40,7 @@ def solve_small(A, b, n):
 
 
 @jit
-def _pseudo_inverse(model, a, w, demand, channel, member, x):
+def _pseudo_inverse(model, R, w, demand, channel, member, x):
     """x += W^-1 G' (G W^-1 G' + eps I)^-1 demand over the member actuators and the given channels."""
     n = model.n_u
     scale = 0.0
@@ -49,7 +50,7 @@ def _pseudo_inverse(model, a, w, demand, channel, member, x):
             if channel[k] > 0.0 and channel[m] > 0.0:
                 for i in range(n):
                     if member[i] > 0.0:
-                        s += w.jacobian[k, i] * w.jacobian[m, i] / max(a.R[i], 1e-9)
+                        s += w.jacobian[k, i] * w.jacobian[m, i] / max(R[i], 1e-9)
             w.H[k, m] = s
         scale = max(scale, w.H[k, k])
     for k in range(6):
@@ -59,67 +60,70 @@ def _pseudo_inverse(model, a, w, demand, channel, member, x):
     for i in range(n):
         if member[i] > 0.0:
             for k in range(6):
-                x[i] += channel[k] * w.jacobian[k, i] * w.g[k] / max(a.R[i], 1e-9)
+                x[i] += channel[k] * w.jacobian[k, i] * w.g[k] / max(R[i], 1e-9)
 
 
 @jit
-def _apply(model, a, w):
-    """Clip w.x into this cycle's bounds and turn it into commands."""
+def _apply(model, problem, x, solution):
+    """Clip x (8,) into this cycle's bounds and turn it into commands."""
+    lower, upper = problem.u_lower, problem.u_upper
     for i in range(model.n_u):
-        x = min(max(w.x[i], to_x(model, i, a.u_lower[i])), to_x(model, i, a.u_upper[i]))
-        a.u[i] = min(max(to_command(model, i, x), a.u_lower[i]), a.u_upper[i])
-    a.status, a.iterations, a.kkt, a.cost = 1, 0, 0.0, 0.0
+        y = min(max(x[i], to_x(model, i, lower[i])), to_x(model, i, upper[i]))
+        solution.u[i] = min(max(to_command(model, i, y), lower[i]), upper[i])
+    solution.status, solution.iterations, solution.refused = SOLVED, 0, 0
+    solution.kkt = solution.cost = 0.0
 
 
 @jit
-def allocate_wls(model, a, w):
+def allocate_wls(model, problem, solution, w):
     """Weighted least-squares pseudo-inverse with clipping: weights R, the map linearised at rest."""
     n = model.n_u
+    p = problem
     for i in range(n):
-        w.u_previous[i] = a.u[i]
-        w.x[i], w.trial[i] = 0.0, 1.0
-    wrench_map(model, w.x, w.u_previous, a.effectiveness, a.nu_r, w.tau, w.jacobian)
+        w.x[i], w.trial[i] = 0.0, 1.0 if model.part[i] == 0 else 0.0
+    wrench_map(model, w.x, p.u_previous, p.effectiveness, p.nu_flow, w.tau, w.jacobian)
     for k in range(6):
-        w.demand[k] = a.tau_d[k] - w.tau[k]
-    _pseudo_inverse(model, a, w, w.demand, model.controllable, w.trial, w.x)
-    _apply(model, a, w)
+        w.demand[k] = p.tau_d[k] - w.tau[k]
+    _pseudo_inverse(model, p.R, w, w.demand, model.controllable, w.trial, w.x)
+    _apply(model, p, w.x, solution)
 
 
 @jit
-def allocate_direct(settings, model, a, w):
-    """Each PID channel drives its own actuators through a mixer made for the speed of the gain schedule.
+def allocate_direct(direct_map, surge, model, problem, solution, w):
+    """Each PID channel drives its own actuators through a mixer made for the speed `surge`, m/s.
 
-    Forces go to the thrusters and moments to the fins, if there are any of both; neither group
+    Forces go to what pushes and moments to what steers, if there are any of both; neither group
     knows what the other, the drag or the present flow does. A thruster's demand becomes thrust
     (THRUST_LINEAR) or, as a PID output scaled to the shaft's range, shaft speed (SPEED_LINEAR).
     """
     n = model.n_u
-    fins, thrusters = 0, 0
+    steering, pushing = 0, 0
     for i in range(n):
-        w.u_previous[i] = 0.0
+        w.at_rest[i] = 0.0
         w.x[i] = 0.0
-        if model.kind[i] == FIN:
-            fins += 1
+        if model.steers[i] == 1:
+            steering += 1
         else:
-            thrusters += 1
+            pushing += 1
     for k in range(6):
         w.flow[k] = 0.0
-    w.flow[0] = settings.schedule_speed * sqrt(max(a.schedule, settings.schedule_min))
+    w.flow[0] = surge
     w.healthy[:] = 1.0
-    wrench_map(model, w.x, w.u_previous, w.healthy, w.flow, w.tau, w.jacobian)
-    if fins == 0 or thrusters == 0:
-        w.trial[:] = 1.0
-        _pseudo_inverse(model, a, w, a.tau_d, model.controllable, w.trial, w.x)
+    wrench_map(model, w.x, w.at_rest, w.healthy, w.flow, w.tau, w.jacobian)
+    if steering == 0 or pushing == 0:
+        for i in range(n):
+            w.trial[i] = 1.0 if model.part[i] == 0 else 0.0
+        _pseudo_inverse(model, problem.R, w, problem.tau_d, model.controllable, w.trial, w.x)
     else:
         for group in range(2):
             for k in range(6):
                 w.channel[k] = model.controllable[k] if (k < 3) == (group == 0) else 0.0
             for i in range(n):
-                w.trial[i] = 1.0 if (model.kind[i] == FIN) == (group == 1) else 0.0
-            _pseudo_inverse(model, a, w, a.tau_d, w.channel, w.trial, w.x)
-    if settings.direct_map == SPEED_LINEAR:
+                w.trial[i] = 1.0 if model.steers[i] == group and model.part[i] == 0 else 0.0
+            _pseudo_inverse(model, problem.R, w, problem.tau_d, w.channel, w.trial, w.x)
+    if direct_map == SPEED_LINEAR:
         for i in range(n):
-            if model.kind[i] != FIN:
+            if model.steers[i] == 0:
                 share = min(max(w.x[i], -1.0), 1.0)
                 w.x[i] = to_x(model, i, share * model.command_max[i])
-    _apply(model, a, w)
+    _apply(model, problem, w.x, solution)

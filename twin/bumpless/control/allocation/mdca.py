@@ -10,22 +10,20 @@ second-order term (`curvature`), in the QP where it leaves that convex, and as a
 
 from math import isfinite
 
+from bumpless.contract.enums import BUDGET_SPENT, FALLBACK, REFUSED, SOLVED
 from bumpless.control.allocation.curvature import descent_curvature, residual_curvature
 from bumpless.control.allocation.kkt import kkt_residual
 from bumpless.control.allocation.qp import solve_box_qp
 from bumpless.control.allocation.qp_active_set import solve_active_set
-from bumpless.control.allocation.qp_status import SOLVED as QP_SOLVED
-from bumpless.control.allocation.wrench_map import to_command, to_x, wrench_map
+from bumpless.control.allocation.wrench_map import wrench_map
 from bumpless.jit import jit
-from bumpless.records import FIN
+from bumpless.physics.actuators import command_slope, to_command, to_x
 
-SOLVED, BUDGET_SPENT, INFEASIBLE, FALLBACK, REFUSED = 1, 2, 3, 4, 5  # SolveStatus of the contract
 _BACKTRACKS = 6
 _ESCAPES = 3  # looks for a way out of a saddle, per cycle
 _NEAR = 1e-3  # KKT residual from which a saddle is looked for: Newton's steps towards one are wasted
 _ROOM = 1e-6  # share of its range that a command must have on both sides to count as free
 _ROUNDING = 1e-12  # share of the cost that no step can gain any more
-_LEAST = 1e-3  # thrust share at which a screw that is not eased counts as one that is, in the price
 _HOLD = 1.0  # s for which the last command is held when demands are refused
 
 
@@ -34,11 +32,7 @@ def increment_prices(model, mu, x_previous, n, price):
     """price (8,) = mu (du/dx)^2 at the last command: what an increment of x costs, so that mu prices those of
     commands over their bounds. A screw near zero, where its speed changes fastest, pays most."""
     for i in range(n):
-        slope = 1.0
-        if mu > 0.0 and model.kind[i] != FIN:
-            y = x_previous[i] ** 2
-            z = max(model.smoothing, _LEAST) ** 2
-            slope = (0.5 * y + z) / (y + z) ** 1.25
+        slope = command_slope(model, i, x_previous[i]) if mu > 0.0 else 1.0
         price[i] = mu * slope * slope
 
 
@@ -89,32 +83,38 @@ def normal_equations(Q, R, lam, tau_d, tau, jacobian, x, n, H, g):
 
 
 @jit
-def add_curvature(model, a, w, x, n):
+def add_curvature(model, problem, w, x, n):
     """Add the second-order term to w.H: all of it where H stays positive definite, else what is positive."""
+    p = problem
     for k in range(6):
-        w.weight[k] = a.Q[k] * (a.tau_d[k] - w.tau[k])
-    residual_curvature(model, x, a.effectiveness, a.nu_r, w.weight, w.curvature)
+        w.weight[k] = p.Q[k] * (p.tau_d[k] - w.tau[k])
+    residual_curvature(model, x, p.u_previous, p.effectiveness, p.nu_flow, w.weight, w.curvature, w.coupling)
     least = 0.0
     for i in range(n):
         w.free[i] = 1
-        least = min(least, w.curvature[i])
-    convex = least == 0.0 or descent_curvature(w.H, w.curvature, w.free, n, w.trial)
+        least = min(least, w.curvature[i], -abs(w.coupling[i]))
+    convex = least == 0.0 or descent_curvature(w.H, w.curvature, w.coupling, w.free, n, w.trial)
     for i in range(n):
         added = w.curvature[i] if convex else max(w.curvature[i], 0.0)
         w.H[i, i] += added
         w.curvature[i] -= added
+        if convex and w.coupling[i] != 0.0:
+            w.H[i, i + 1] += w.coupling[i]
+            w.H[i + 1, i] += w.coupling[i]
+            w.coupling[i] = 0.0
 
 
 @jit
-def cost_at(model, a, w, x, n):
-    """Cost of this cycle's problem at x (8,); w.tau and w.jacobian are filled."""
-    wrench_map(model, x, w.u_previous, a.effectiveness, a.nu_r, w.tau, w.jacobian)
-    cost = allocation_cost(a.Q, a.R, a.lam, a.tau_d, w.tau, x, n)
+def cost_at(model, problem, w, x, n):
+    """Cost of the PROBLEM at x (8,); w.tau and w.jacobian are filled."""
+    p = problem
+    wrench_map(model, x, p.u_previous, p.effectiveness, p.nu_flow, w.tau, w.jacobian)
+    cost = allocation_cost(p.Q, p.R, p.lam, p.tau_d, w.tau, x, n)
     return cost + increment_cost(w.price, x, w.x_previous, n)
 
 
 @jit
-def leave_saddle(model, a, w, x, cost, n):
+def leave_saddle(model, problem, w, x, cost, n):
     """Move x down a direction of negative curvature in the free commands, if there is one; returns the cost.
 
     Tried from the first bound that the direction meets inwards, on both sides. Where it does not find less,
@@ -124,8 +124,8 @@ def leave_saddle(model, a, w, x, cost, n):
     for i in range(n):
         room = min(x[i] - w.lower[i], w.upper[i] - x[i])
         w.free[i] = 1 if room > _ROOM else 0
-        least = min(least, w.curvature[i])
-    if least == 0.0 or descent_curvature(w.H, w.curvature, w.free, n, w.step):
+        least = min(least, w.curvature[i], -abs(w.coupling[i]))
+    if least == 0.0 or descent_curvature(w.H, w.curvature, w.coupling, w.free, n, w.step):
         return cost
     reach = 1e9
     for i in range(n):
@@ -136,7 +136,7 @@ def leave_saddle(model, a, w, x, cost, n):
             reach = -reach
             for i in range(n):
                 w.trial[i] = x[i] + reach * w.step[i]
-            trial_cost = cost_at(model, a, w, w.trial, n)
+            trial_cost = cost_at(model, problem, w, w.trial, n)
             if trial_cost < cost:
                 for i in range(n):
                     x[i] = w.trial[i]
@@ -146,72 +146,70 @@ def leave_saddle(model, a, w, x, cost, n):
 
 
 @jit
-def refuse(settings, model, a):
+def refuse(model, problem, solution):
     """Hold the last command within this cycle's bounds and say so; after a second come to rest."""
-    a.refused += 1
-    keep = 1.0 if a.refused * settings.dt <= _HOLD else 0.0
+    solution.refused = problem.refused + 1
+    keep = 1.0 if solution.refused * problem.dt <= _HOLD else 0.0
     for i in range(model.n_u):
-        a.u[i] = min(max(keep * a.u[i], a.u_lower[i]), a.u_upper[i])
-    a.status = REFUSED
-    a.iterations = 0
+        u = keep * problem.u_previous[i]
+        solution.u[i] = min(max(u, problem.u_lower[i]), problem.u_upper[i])
+    solution.status, solution.iterations = REFUSED, 0
+    solution.kkt = solution.cost = 0.0
 
 
 @jit
-def allocate_mdca(handle, settings, model, a, w):
-    """Fill a.u (8,), a.status, a.iterations, a.kkt, a.cost for demand a.tau_d (6,).
+def allocate_mdca(handle, settings, model, problem, solution, w):
+    """Solve one cycle's PROBLEM: the SOLUTION's commands, status, iterations, kkt and cost.
 
-    a.u holds the last command on entry and a.u_lower, a.u_upper this cycle's bounds; weights are
-    a.Q, a.R, a.lam; flow a.nu_r; effectiveness a.effectiveness. w: an ALLOCATION_WORK record.
-    Returns nothing; a demand that is not finite is refused.
+    settings: ALLOCATION_SETTINGS; w: ALLOCATION_WORK. A demand that is not finite is refused.
     """
-    n = model.n_u
+    n, p = model.n_u, problem
     for k in range(6):
-        if not isfinite(a.tau_d[k]) or not isfinite(a.nu_r[k]):
-            refuse(settings, model, a)
+        if not isfinite(p.tau_d[k]) or not isfinite(p.nu_flow[k]):
+            refuse(model, p, solution)
             return
-    a.refused = 0
+    solution.refused = 0
     x, lower, upper, step, trial = w.x, w.lower, w.upper, w.step, w.trial
     for i in range(n):
-        w.u_previous[i] = a.u[i]
-        lower[i], upper[i] = to_x(model, i, a.u_lower[i]), to_x(model, i, a.u_upper[i])
-        w.x_previous[i] = to_x(model, i, a.u[i])
-        start = w.x_previous[i] if settings.project == 1 else 0.0
+        lower[i], upper[i] = to_x(model, i, p.u_lower[i]), to_x(model, i, p.u_upper[i])
+        w.x_previous[i] = to_x(model, i, p.u_previous[i])
+        start = w.x_previous[i] if p.warm == 1 else 0.0
         x[i] = min(max(start, lower[i]), upper[i])
-    increment_prices(model, a.increment_price, w.x_previous, n, w.price)
-    cost = cost_at(model, a, w, x, n)
+    increment_prices(model, p.increment_price, w.x_previous, n, w.price)
+    cost = cost_at(model, p, w, x, n)
     fallback = False
-    a.iterations, a.kkt = 0, 0.0
+    iterations, kkt = 0, 0.0
     escapes = 0
     while True:
-        normal_equations(a.Q, a.R, a.lam, a.tau_d, w.tau, w.jacobian, x, n, w.H, w.g)
+        normal_equations(p.Q, p.R, p.lam, p.tau_d, w.tau, w.jacobian, x, n, w.H, w.g)
         price_increments(w.price, x, w.x_previous, n, w.H, w.g)
-        add_curvature(model, a, w, x, n)
+        add_curvature(model, p, w, x, n)
         for i in range(n):
             step[i] = 0.0
             w.lb[i], w.ub[i] = lower[i] - x[i], upper[i] - x[i]
-        a.kkt = kkt_residual(w.H, w.g, w.lb, w.ub, step, n)
-        if a.kkt <= _NEAR and escapes < _ESCAPES:
+        kkt = kkt_residual(w.H, w.g, w.lb, w.ub, step, n)
+        if kkt <= _NEAR and escapes < _ESCAPES:
             escapes += 1
-            escaped = leave_saddle(model, a, w, x, cost, n)
+            escaped = leave_saddle(model, p, w, x, cost, n)
             if escaped < cost:
                 cost = escaped
                 continue
-        status = SOLVED if a.kkt <= settings.kkt_tolerance else BUDGET_SPENT
-        if status == SOLVED or a.iterations >= settings.sqp_iterations:
+        status = SOLVED if kkt <= settings.kkt_tolerance else BUDGET_SPENT
+        if status == SOLVED or iterations >= settings.sqp_iterations:
             break
-        a.iterations += 1
+        iterations += 1
         for i in range(n):
             step[i] = 0.0
-        if a.iterations == 1:
-            fallback = solve_box_qp(handle, w.H, w.g, w.lb, w.ub, step, n) != QP_SOLVED
+        if iterations == 1:
+            fallback = solve_box_qp(handle, w.H, w.g, w.lb, w.ub, step, n) != SOLVED
         else:  # the bounds that hold are known but for a few: the exact finish alone finds those
-            qp_status, _ = solve_active_set(w.H, w.g, w.lb, w.ub, step, n)
-            fallback = fallback or qp_status != QP_SOLVED
+            answer, _ = solve_active_set(w.H, w.g, w.lb, w.ub, step, n)
+            fallback = fallback or answer != SOLVED
         eta, accepted = 1.0, False
         for _ in range(_BACKTRACKS):
             for i in range(n):
                 trial[i] = min(max(x[i] + eta * step[i], lower[i]), upper[i])
-            trial_cost = cost_at(model, a, w, trial, n)
+            trial_cost = cost_at(model, p, w, trial, n)
             if trial_cost < cost:
                 accepted = True
                 break
@@ -227,6 +225,6 @@ def allocate_mdca(handle, settings, model, a, w):
         for i in range(n):
             x[i] = trial[i]
     for i in range(n):
-        a.u[i] = min(max(to_command(model, i, x[i]), a.u_lower[i]), a.u_upper[i])
-    a.cost = cost
-    a.status = FALLBACK if fallback else status
+        solution.u[i] = min(max(to_command(model, i, x[i]), p.u_lower[i]), p.u_upper[i])
+    solution.iterations, solution.kkt, solution.cost = iterations, kkt, cost
+    solution.status = FALLBACK if fallback else status

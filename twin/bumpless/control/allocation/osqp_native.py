@@ -25,6 +25,7 @@ from pathlib import Path
 
 import numpy as np
 
+from bumpless.config.capacity import MAX_ACTUATORS
 from bumpless.control.allocation.qp_handle import FUNCTIONS, MEMORY, OSQP_NATIVE, WORKSPACE, new_handle
 from bumpless.control.allocation.qp_memory import (
     address_of,
@@ -41,7 +42,6 @@ from bumpless.control.allocation.qp_memory import (
 from bumpless.control.allocation.qp_scaling import UPPER_TRIANGLE, scale
 from bumpless.control.allocation.qp_state import adopt
 from bumpless.jit import jit
-from bumpless.records import MAX_ACTUATORS
 
 KNOWN_VERSIONS = (b"1.0.0",)
 MAX_ITERATIONS = 10

@@ -14,6 +14,8 @@ from collections.abc import Callable
 
 import numpy as np
 
+from bumpless.config.capacity import MAX_ACTUATORS
+from bumpless.contract.enums import FALLBACK, SOLVED
 from bumpless.control.allocation import osqp_native, qp_daqp, qp_python
 from bumpless.control.allocation.qp_active_set import LOWER, UPPER, admit, finish, solve_active_set
 from bumpless.control.allocation.qp_handle import (
@@ -29,9 +31,7 @@ from bumpless.control.allocation.qp_handle import (
     new_handle,
 )
 from bumpless.control.allocation.qp_memory import carray, stack_floats, stack_ints
-from bumpless.control.allocation.qp_status import FALLBACK, SOLVED
 from bumpless.jit import allocating, jit
-from bumpless.records import MAX_ACTUATORS
 
 _N = MAX_ACTUATORS
 _NN = _N * _N
@@ -142,7 +142,7 @@ def _solve(handle, H, g, lb, ub, x, n):
 
 @jit
 def solve_box_qp(handle, H, g, lb, ub, x, n):
-    """Minimise 1/2 x'Hx + g'x over lb <= x <= ub; return a status of `qp_status`.
+    """Minimise 1/2 x'Hx + g'x over lb <= x <= ub; return a SolveStatus (`contract.enums`).
 
     H (>=n, >=n) symmetric positive definite, g, lb, ub, x (>=n) float64, n <= MAX_ACTUATORS;
     entries beyond n are ignored. x is the start (any values) and the answer: inside its bounds and

@@ -16,10 +16,10 @@ Nocedal and Wright, Numerical Optimization, 2nd ed., algorithm 16.3 (phase 2).
 
 import math
 
+from bumpless.config.capacity import MAX_ACTUATORS
+from bumpless.contract.enums import BUDGET_SPENT, INFEASIBLE, REFUSED, SOLVED
 from bumpless.control.allocation.qp_memory import carray, stack_floats, stack_ints
-from bumpless.control.allocation.qp_status import BUDGET_SPENT, INFEASIBLE, REFUSED, SOLVED
 from bumpless.jit import jit
-from bumpless.records import MAX_ACTUATORS
 
 LOWER, FREE, UPPER, FIXED = -1, 0, 1, 2
 NEWTON_ROUNDS = 6  # phase 1 settles in 2-3 rounds, or cycles
@@ -255,7 +255,7 @@ def solve_active_set(H, g, lb, ub, x, n):
     """Minimise 1/2 x'Hx + g'x over lb <= x <= ub; x is the start and the answer.
 
     H (>=n, >=n) symmetric positive definite, g, lb, ub, x (>=n): float64, used up to n. Bounds may
-    be equal or infinite. Returns (status of qp_status, rounds). x ends inside its bounds always.
+    be equal or infinite. Returns (SolveStatus, rounds). x ends inside its bounds always.
     """
     status = admit(H, g, lb, ub, x, n)
     if status != SOLVED:

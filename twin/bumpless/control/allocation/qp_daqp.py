@@ -11,13 +11,13 @@ import importlib.util
 
 import numpy as np
 
+from bumpless.config.capacity import MAX_ACTUATORS
 from bumpless.control.allocation.qp_handle import DAQP, FUNCTIONS, MEMORY, WORKSPACE, new_handle
 from bumpless.control.allocation.qp_memory import call_3, carray, floats_at
 from bumpless.control.allocation.qp_python import make_python_handle
 from bumpless.control.allocation.qp_scaling import scale
 from bumpless.control.allocation.qp_state import adopt
 from bumpless.jit import jit
-from bumpless.records import MAX_ACTUATORS
 
 KNOWN_VERSIONS = ("0.11.0",)
 

@@ -19,7 +19,7 @@ FUNCTIONS = 8  # first of up to 12 function addresses
 ACTIVE_SET, OSQP_NATIVE, OSQP_PUBLIC, DAQP = 0, 1, 2, 3
 
 
-def new_handle(solver: int, release: Callable | None = None, *arguments) -> np.ndarray:
+def new_handle(solver: int, release: Callable[..., object] | None = None, *arguments: object) -> np.ndarray:
     """Zeroed handle of `solver`; `release(*arguments)` runs when its last reference goes."""
     handle = np.zeros(HANDLE_SIZE, dtype=np.int64)
     handle[SOLVER] = solver

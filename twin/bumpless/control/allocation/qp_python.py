@@ -14,12 +14,12 @@ from collections.abc import Callable
 
 import numpy as np
 
+from bumpless.config.capacity import MAX_ACTUATORS
 from bumpless.control.allocation.qp_handle import FUNCTIONS, MEMORY, OSQP_PUBLIC, new_handle
 from bumpless.control.allocation.qp_memory import call_1, carray, floats_at
 from bumpless.control.allocation.qp_scaling import UPPER_TRIANGLE, scale
 from bumpless.control.allocation.qp_state import adopt
 from bumpless.jit import jit
-from bumpless.records import MAX_ACTUATORS
 
 MAX_ITERATIONS = 50
 _INTERRUPTED = 10  # OSQP_SIGINT of osqp_api_constants.h

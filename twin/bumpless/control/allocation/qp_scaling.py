@@ -2,8 +2,8 @@
 
 import math
 
+from bumpless.config.capacity import MAX_ACTUATORS
 from bumpless.jit import jit
-from bumpless.records import MAX_ACTUATORS
 
 UPPER_TRIANGLE = MAX_ACTUATORS * (MAX_ACTUATORS + 1) // 2
 INFINITY = 1e30  # OSQP's own

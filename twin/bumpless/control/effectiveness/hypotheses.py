@@ -10,10 +10,7 @@ Drag, trim and buoyancy are learnt by the baseline and cannot be mistaken for a 
 Source: Willsky and Jones 1976, IEEE Trans. Autom. Control 21(1); Friedland 1969, the same 14(4).
 """
 
-from math import exp
-
 from bumpless.control.effectiveness.record import (
-    FIN_EVIDENCE,
     HEALTHY_LOSS,
     HEALTHY_S,
     LARGEST_STD,
@@ -26,7 +23,7 @@ from bumpless.control.effectiveness.record import (
     SLOTS,
 )
 from bumpless.jit import inline, jit
-from bumpless.records import FIN
+from bumpless.physics.lag import decay
 
 
 @jit
@@ -59,27 +56,27 @@ def carry(s, drag, wrench, dt):
 
 
 @jit
-def predict_hypotheses(dt, n, e):
+def predict_hypotheses(dt, n, e, w):
     """Advance every hypothesis over one cycle."""
     for i in range(n):
         for k in range(6):
-            e.wrench_mean[k] = 0.5 * (e.wrench[i, k] + e.wrench_before[i, k])
+            w.wrench_mean[k] = 0.5 * (w.wrench[i, k] + e.wrench_before[i, k])
         for slot in range(SLOTS):
-            carry(e.s[slot, i], e.drag_mean, e.wrench_mean, dt)
+            carry(e.s[slot, i], w.drag_mean, w.wrench_mean, dt)
         if e.faulty[i] == 1:
-            carry(e.own_s[i], e.drag_mean, e.wrench_mean, dt)
+            carry(e.own_s[i], w.drag_mean, w.wrench_mean, dt)
 
 
 @jit
-def weigh(s, e):
+def weigh(s, w):
     """(information, correlation) of this sample for the hypothesis s (6, 3), which is corrected by it."""
     information = correlation = 0.0
     for k in range(6):
         h = s[k, 0]
-        information += h * h / e.variance[k]
-        correlation += h * e.innovation[k] / e.variance[k]
+        information += h * h / w.variance[k]
+        correlation += h * w.innovation[k] / w.variance[k]
         for j in range(3):
-            s[k, j] -= e.K[k, j] * h
+            s[k, j] -= w.K[k, j] * h
     return information, correlation
 
 
@@ -94,12 +91,12 @@ def believe_loss(e, i, s, change):
 
 
 @jit
-def follow_faults(elapsed, n, e):
+def follow_faults(elapsed, n, e, w):
     """Sharpen the loss of every diagnosed actuator; one that has recovered is no longer faulty."""
     for i in range(n):
         if e.faulty[i] == 1:
-            information, correlation = weigh(e.own_s[i], e)
-            e.own_information[i] = exp(-elapsed / MEMORY_S) * e.own_information[i] + information
+            information, correlation = weigh(e.own_s[i], w)
+            e.own_information[i] = decay(elapsed, MEMORY_S) * e.own_information[i] + information
             if e.own_information[i] > 0.0:
                 believe_loss(e, i, e.own_s[i], correlation / e.own_information[i])
             e.healthy_time[i] = e.healthy_time[i] + elapsed if e.loss[i] < HEALTHY_LOSS else 0.0
@@ -109,16 +106,16 @@ def follow_faults(elapsed, n, e):
 
 
 @jit
-def weigh_hypotheses(model, e):
+def weigh_hypotheses(model, e, w):
     """Take in this sample's innovations; fills e.evidence (n,). Returns (actuator, slot) that stands out
     most, or (-1, 0), and the evidence of the next best actuator."""
     best, best_slot, top, second = -1, 0, 0.0, 0.0
     for i in range(model.n_u):
-        trust = FIN_EVIDENCE if model.kind[i] == FIN else 1.0
+        trust = model.trust[i]
         e.evidence[i] = 0.0
         own_slot = 0
         for slot in range(SLOTS):
-            information, correlation = weigh(e.s[slot, i], e)
+            information, correlation = weigh(e.s[slot, i], w)
             e.information[slot, i] += information
             e.correlation[slot, i] += correlation
             evidence, change = evidence_of(e, slot, i)

@@ -15,7 +15,6 @@ SLOT_S = 4.0  # s between the others: a jump is looked for over the last 8 to 12
 LEARN_S = 10.0  # s of baseline before the first alarm: trim, buoyancy and drag are unknown at the start
 PERSIST_S = 0.4  # s for which one actuator must stand out
 MARGIN = 3.0  # by which its evidence must exceed any other's
-FIN_EVIDENCE = 0.4  # share that counts: the flow at a fin is known only by the estimated velocity and current
 LEAST_LOSS = 0.15  # smaller jumps are left to the baseline
 LARGEST_STD = 0.2  # an estimate less certain than this raises no alarm
 HEALTHY_LOSS, HEALTHY_S = 0.1, 2.0  # a fault is over when the loss stays below for this time
@@ -31,6 +30,14 @@ OUTLIER = 4.0  # standard deviations at which an innovation is cut
 QUIETEST, LOUDEST = 0.02, 50.0  # measured noise variance against the sensors' own
 
 
+BELIEF = np.dtype(  # what the allocator is told: nothing of a loss until it is known, then a growing share
+    [
+        ("effectiveness", f8, _n),
+        ("fault_share", f8),  # how far a known fault is blended in
+    ],
+    align=True,
+)
+
 # Components are [X Y Z K M N]; momentum in N s and N m s.
 ESTIMATOR = np.dtype(
     [
@@ -40,24 +47,14 @@ ESTIMATOR = np.dtype(
         # baseline: per component [momentum, unexplained wrench, relative error of the damping]
         ("x", f8, (6, 3)),
         ("P", f8, (6, 3, 3)),
-        ("K", f8, (6, 3)),
         ("R", f8, 6),  # variance of the measured momentum, as found
         ("R_0", f8, 6),  # as the sensors' own figures have it
         ("floor", f8, 6),  # least error of the model, N and N m
         ("size", f8, 6),  # forces at work, mean of magnitudes
-        ("innovation", f8, 6),
-        ("variance", f8, 6),  # of the innovation
-        # the model's forces in this cycle and in the last one
-        ("nu_r", f8, 6),
-        ("momentum", f8, 6),  # measured
-        ("force", f8, 6),
-        ("drag", f8, 6),
-        ("wrench", f8, (_n, 6)),  # of each actuator at full effectiveness
+        # the model's forces in the last cycle
         ("force_before", f8, 6),
         ("drag_before", f8, 6),
         ("wrench_before", f8, (_n, 6)),
-        ("drag_mean", f8, 6),
-        ("wrench_mean", f8, 6),
         # hypotheses: true minus estimated baseline for a whole loss of actuator i since an onset
         ("s", f8, (SLOTS, _n, 6, 3)),
         ("information", f8, (SLOTS, _n)),
@@ -74,6 +71,22 @@ ESTIMATOR = np.dtype(
         ("own_information", f8, _n),
         ("healthy_time", f8, _n),
         ("share", f8, _n),  # of the loss that the allocator has been told so far
+    ],
+    align=True,
+)
+
+ESTIMATOR_WORK = np.dtype(  # of one cycle
+    [
+        ("nu_r", f8, 6),
+        ("momentum", f8, 6),  # measured
+        ("force", f8, 6),
+        ("drag", f8, 6),
+        ("wrench", f8, (_n, 6)),  # of each actuator at full effectiveness
+        ("drag_mean", f8, 6),  # over the cycle
+        ("wrench_mean", f8, 6),
+        ("innovation", f8, 6),
+        ("variance", f8, 6),  # of the innovation
+        ("K", f8, (6, 3)),
     ],
     align=True,
 )

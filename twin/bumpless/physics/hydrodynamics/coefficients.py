@@ -17,7 +17,7 @@ from bumpless.physics.hydrodynamics.myring import HullStrips
 class Coefficients:
     """Matrices (6, 6) about O_b, SI, rows and columns in the order X Y Z K M N.
 
-    tau_hydro = -M_A nu_dot - C_A nu - (D_linear + D_quadratic |nu_j| + D_lift s_i) nu, see records.MODEL.
+    tau_hydro = -M_A nu_dot - C_A nu - (D_linear + D_quadratic |nu_j| + D_lift s_i) nu, see MODEL.
     """
 
     M_A: NDArray[np.float64]

@@ -3,6 +3,9 @@
 Each function returns D with tau_i = -D_ij |nu_j| nu_j, shape (6, 6), N s^2/m^2 | N s^2/m | N m s^2.
 """
 
+# pyright: reportConstantRedefinition=false
+# the source's symbols are capitals
+
 import math
 from collections.abc import Sequence
 

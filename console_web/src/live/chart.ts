@@ -1,0 +1,140 @@
+// A uPlot chart outside the component tree: it is made anew when its look changes, fed when there is news.
+import { effect } from "@preact/signals";
+import uPlot from "uplot";
+import { fixed, headingOf } from "../lib/format";
+import { colour, font, theme, typeSize } from "../lib/theme";
+import { history } from "../stream/history";
+import { live } from "../stream/store";
+import { letter, shade } from "./mode_ground";
+import type { PlotSpec } from "./plots";
+import { shown, ticks, timeLabel, window_s } from "./time_axis";
+
+/** Draw `spec` into `box` from now on, its values into `values`; returns how to stop. */
+export function chart(
+  box: HTMLElement,
+  values: HTMLElement | null,
+  spec: PlotSpec,
+  axis: boolean,
+): () => void {
+  let plot: uPlot | undefined;
+  const stopMaking = effect(() => {
+    void [theme.value, typeSize.value];
+    plot?.destroy();
+    plot = new uPlot(options(spec, axis, box.clientWidth, box.clientHeight), dataOf(spec), box);
+  });
+  const stopFeeding = effect(() => {
+    void [live.now.value, window_s.value];
+    if (!plot || !box.clientHeight) return;
+    plot.setData(dataOf(spec));
+    if (values) showValues(values, spec, plot);
+  });
+  const size = new ResizeObserver(() => {
+    if (box.clientWidth && box.clientHeight)
+      plot?.setSize({ width: box.clientWidth, height: box.clientHeight });
+  });
+  size.observe(box);
+  return () => {
+    size.disconnect();
+    stopFeeding();
+    stopMaking();
+    plot?.destroy();
+  };
+}
+
+/** The rows in the window, and the one before it so that lines enter from the edge. */
+function dataOf(spec: PlotSpec): uPlot.AlignedData {
+  const first = Math.max(0, history.firstIndex(shown()[0]) - 1);
+  const rows = history.length - first;
+  const lines = spec.traces.map(({ column }) => {
+    const values = history.column(column);
+    return Array.from({ length: rows }, (_, i) => {
+      const value = values?.[first + i];
+      return value === undefined || Number.isNaN(value) ? null : value;
+    });
+  });
+  return [history.time.slice(first, history.length), ...lines];
+}
+
+/** Values under the cursor, else the newest. */
+function showValues(element: HTMLElement, spec: PlotSpec, plot: uPlot): void {
+  const index = plot.cursor.idx ?? plot.data[0].length - 1;
+  spec.traces.forEach((trace, i) => {
+    const text = (spec.heading ? headingOf : fixed)(plot.data[i + 1]?.[index], spec.decimals);
+    const part = element.querySelector(`.value-${trace.look}`);
+    if (part && part.textContent !== text) part.textContent = text;
+  });
+}
+
+function options(spec: PlotSpec, axis: boolean, width: number, height: number): uPlot.Options {
+  const em = typeSize.peek() * 0.8;
+  const common = { stroke: colour("--ink-2"), font: font("--text-2xs"), ticks: { show: false } };
+  const grid = { stroke: colour("--grid"), width: 1 };
+  return {
+    width: Math.max(60, width),
+    height: Math.max(40, height),
+    legend: { show: false },
+    cursor: { sync: { key: "live" }, drag: { x: false, y: false }, points: { size: 5 }, y: false },
+    padding: [5, 16, axis ? 0 : 5, 0],
+    scales: {
+      x: { time: false, range: () => timeScale() },
+      y: { dir: spec.downward ? -1 : 1, range: (_, low, high) => span(low, high, spec.smallestSpan) },
+    },
+    axes: [
+      {
+        ...common,
+        grid,
+        show: axis,
+        size: 1.6 * em,
+        gap: 2,
+        space: 5 * em,
+        splits: (plot) => timeSplits(plot),
+        values: (_, times) => times.map((time) => timeLabel(time, history.last())),
+      },
+      {
+        ...common,
+        grid,
+        size: 3.7 * em,
+        gap: 3,
+        space: 2.1 * em,
+        values: (_, marks) => axisTexts(marks, spec.heading ?? false),
+      },
+    ],
+    series: [
+      {},
+      ...spec.traces.map(
+        ({ look }): uPlot.Series => ({
+          stroke: colour(look === "measured" ? "--trace" : "--reference"),
+          width: look === "measured" ? 1.6 : 1.3,
+          ...(look === "reference" ? { dash: [5, 4] } : {}),
+          points: { show: false },
+          spanGaps: false,
+        }),
+      ),
+    ],
+    hooks: { drawClear: [shade], draw: [letter] },
+  };
+}
+
+function span(low: number | null, high: number | null, smallest: number): [number, number] {
+  if (low === null || high === null) return [0, smallest];
+  const room = Math.max((high - low) * 0.08, (smallest - (high - low)) / 2, 1e-9);
+  return [low - room, high + room];
+}
+
+/** Always the common window: an automatic scale could span from 1970 to now. */
+function timeScale(): [number, number] {
+  const [from, to] = shown();
+  return Number.isFinite(to) ? [from, to] : [0, window_s.peek()];
+}
+
+function timeSplits(plot: uPlot): number[] {
+  const { min = 0, max = 0 } = plot.scales.x ?? {};
+  const most = Math.max(2, plot.width / (5.4 * typeSize.peek() * 0.8));
+  return ticks(min, max, [5, 10, 20, 30, 60, 120, 300].find((s) => (max - min) / s <= most) ?? 600);
+}
+
+function axisTexts(marks: number[], heading: boolean): string[] {
+  const step = Math.abs((marks[1] ?? 1) - (marks[0] ?? 0));
+  const decimals = Math.min(3, Math.max(0, Math.ceil(-Math.log10(step || 1) - 1e-9)));
+  return marks.map((mark) => (heading ? headingOf : fixed)(mark, decimals));
+}

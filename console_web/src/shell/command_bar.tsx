@@ -1,0 +1,179 @@
+// Second line, on every view: what flies, how far it is, and the four commands. Abort stands
+// apart at the far end and wants to be held.
+import { useRef } from "preact/hooks";
+import { missions } from "../api/resources";
+import { MissionPhase } from "../gen/bumpless_pb";
+import { clock } from "../lib/format";
+import { flying, link, PHASES, phase } from "../stream/link";
+import { live } from "../stream/store";
+import { HoldButton } from "../ui/hold_button";
+import { PauseIcon, PlayIcon, StopIcon } from "../ui/icons";
+import { useKeptFocus } from "../ui/keep_focus";
+import { ProblemTable, RefusalNotice } from "../ui/refusal";
+import "./command_bar.css";
+import { busy, chosen, command, mission, notice, seed, startChosen } from "./commands";
+
+const PHASE_LOOKS: Partial<Record<MissionPhase, string>> = {
+  [MissionPhase.RUNNING]: "running",
+  [MissionPhase.PAUSED]: "paused",
+  [MissionPhase.COMPLETED]: "completed",
+  [MissionPhase.ABORTED]: "aborted",
+};
+
+export function CommandBar() {
+  const bar = useRef<HTMLElement>(null);
+  useKeptFocus(bar);
+  const reachable = link.value.look === "live" || link.value.look === "stale";
+  const ready = reachable && busy.value === undefined;
+  const paused = phase.value === MissionPhase.PAUSED;
+  const title = flying.value
+    ? "Press and hold for one second to end the mission now"
+    : "No mission is running";
+  return (
+    <>
+      <section class="commandbar" aria-label="Mission control" ref={bar}>
+        <Progress />
+        <span class="grow" />
+        {!flying.value && <Chooser disabled={!ready} />}
+        {flying.value && (
+          <button
+            type="button"
+            class="action"
+            disabled={!ready}
+            onClick={() => void command(paused ? "resume" : "pause")}
+          >
+            {paused ? <PlayIcon /> : <PauseIcon />} {paused ? "Resume" : "Pause"}
+          </button>
+        )}
+        <HoldButton
+          name="Abort mission"
+          class="abort"
+          holdMs={1000}
+          disabled={!flying.value || !reachable}
+          title={title}
+          onHeld={() => void command("abort")}
+        >
+          <StopIcon /> Hold to abort
+        </HoldButton>
+      </section>
+      <Refused />
+    </>
+  );
+}
+
+function Refused() {
+  if (!notice.value) return null;
+  const { title, refusal } = notice.value;
+  const close = (): void => {
+    notice.value = undefined;
+  };
+  return (
+    <div class="command-notice">
+      <RefusalNotice title={title} refusal={refusal} onClose={close} />
+      {refusal.problems.length > 0 && <ProblemTable problems={refusal.problems} />}
+    </div>
+  );
+}
+
+function Progress() {
+  const status = live.latest("tlm/mission");
+  return (
+    <div class="mission-now" data-state={live.isFresh("tlm/mission") ? "fresh" : "stale"}>
+      <span
+        class="chip phase"
+        data-look={PHASE_LOOKS[phase.value] ?? "idle"}
+        role="status"
+        aria-label="Mission phase"
+      >
+        {PHASES[phase.value]}
+      </span>
+      {!status?.missionName && (
+        <span class="muted">
+          {phase.value === MissionPhase.UNSPECIFIED
+            ? "Waiting for the vehicle."
+            : "No mission loaded. Choose one and start it."}
+        </span>
+      )}
+      {status?.missionName && (
+        <span class="mission-name" title={`Run ${status.runId || "–"}, seed ${status.seed}`}>
+          {status.missionName}
+        </span>
+      )}
+      {status?.missionName && flying.value && (
+        <Elapsed elapsedS={status.elapsedS} durationS={status.durationS} />
+      )}
+      {status?.missionName && !flying.value && status.endReason && (
+        <span class="muted ellipsis" title={status.endReason}>
+          {status.endReason}
+        </span>
+      )}
+    </div>
+  );
+}
+
+function Elapsed({ elapsedS, durationS }: { elapsedS: number; durationS: number }) {
+  const share = durationS > 0 ? Math.min(1, elapsedS / durationS) : 0;
+  return (
+    <>
+      <span class="num">
+        <span class="sr">Mission time </span>T+{clock(elapsedS)}
+        <span class="muted"> / {clock(durationS)}</span>
+      </span>
+      <span
+        class="progress"
+        role="progressbar"
+        aria-label="Share of the planned duration"
+        aria-valuemin={0}
+        aria-valuemax={100}
+        aria-valuenow={Math.round(share * 100)}
+      >
+        <i style={{ width: `${(share * 100).toFixed(1)}%` }} />
+      </span>
+    </>
+  );
+}
+
+function Chooser({ disabled }: { disabled: boolean }) {
+  const list = missions.value ?? [];
+  const badSeed = seed.value.trim() !== "" && !/^\d{1,9}$/.test(seed.value.trim());
+  return (
+    <form
+      class="chooser"
+      onSubmit={(event) => {
+        event.preventDefault();
+        void startChosen();
+      }}
+    >
+      <select
+        aria-label="Mission"
+        value={mission.value}
+        onChange={(event) => {
+          chosen.value = event.currentTarget.value;
+        }}
+      >
+        {list.length === 0 && <option value="">No missions</option>}
+        {list.map(({ name, title }) => (
+          <option key={name} value={name}>
+            {title || name}
+          </option>
+        ))}
+      </select>
+      <label class="seed">
+        <span class="muted">Seed</span>
+        <input
+          inputMode="numeric"
+          placeholder="auto"
+          aria-invalid={badSeed}
+          title="Seed of the simulated sensors and sea; empty: the mission's own"
+          value={seed.value}
+          onInput={(event) => {
+            seed.value = event.currentTarget.value;
+          }}
+        />
+      </label>
+      <button type="submit" class="action primary" disabled={disabled || !mission.value || badSeed}>
+        <PlayIcon /> {busy.value === "start" ? "Starting" : "Start"}
+      </button>
+    </form>
+  );
+}

@@ -1,0 +1,157 @@
+// Top line: where you are, which vehicle, whether it is live, whether it is recorded.
+
+import { HELP, VIEWS } from "../gen/house";
+import { age, bytes } from "../lib/format";
+import { setTheme, theme } from "../lib/theme";
+import { type LinkLook, link } from "../stream/link";
+import { draft } from "../weights/draft";
+import { view } from "./views";
+import "./header.css";
+import { live } from "../stream/store";
+import { AlarmIcon, CheckIcon, HollowIcon, MoonIcon, RecordIcon, SunIcon, WarningIcon } from "../ui/icons";
+
+export function Header() {
+  const badge = draft.changedPaths.value.length;
+  return (
+    <header class="topbar">
+      <a class="brand" href="#live" aria-label="Bumpless, live view">
+        <Logo />
+        <span>Bumpless</span>
+      </a>
+      <nav aria-label="Views">
+        {VIEWS.map(({ id, name, about }) => (
+          <a
+            key={id}
+            href={`#${id}`}
+            class="tab"
+            title={about}
+            aria-current={view.value === id ? "page" : undefined}
+          >
+            {name}
+            {id === "weights" && badge > 0 && (
+              <span class="count" title={`${badge} change(s) in the draft`}>
+                {badge}
+              </span>
+            )}
+          </a>
+        ))}
+        <a href={HELP} class="tab" target="_blank" rel="noopener" title="The manual, in a tab of its own">
+          Help
+        </a>
+      </nav>
+      <span class="grow" />
+      <Vehicle />
+      <Recording />
+      <ThemeButton />
+    </header>
+  );
+}
+
+const LINK_ICONS: Record<LinkLook, typeof CheckIcon> = {
+  live: CheckIcon,
+  stale: WarningIcon,
+  lost: AlarmIcon,
+  offline: AlarmIcon,
+  waiting: HollowIcon,
+};
+
+function Vehicle() {
+  const { look, label } = link.value;
+  const description = live.latest("tlm/description");
+  const health = live.latest("tlm/health");
+  const status = live.latest("server/status");
+  const Icon = LINK_ICONS[look];
+  const seconds = live.age("tlm/navigation");
+  const name = description?.vehicleName || status?.vehicleId || "No vehicle";
+  const details = [
+    description && `${description.vehicleId}, software ${description.softwareVersion}`,
+    health && `missed cycles ${health.missedCycles}, lateness p99 ${health.latenessP99Ms.toFixed(1)} ms`,
+    status && `node restarts ${status.nodeRestarts}, server ${status.serverVersion}`,
+  ].filter(Boolean);
+  return (
+    <div class="header-item" title={details.join("\n")}>
+      <span class="vehicle-name">{name}</span>
+      {health && health.missedCycles > 0n && (
+        <span class="chip" data-look="stale" title="Control cycles missed since the node started">
+          <WarningIcon /> {String(health.missedCycles)} missed
+        </span>
+      )}
+      <span class="chip link-chip" data-look={look} role="status" aria-label={`Link: ${label}`}>
+        <Icon /> {label}
+        {look !== "live" && seconds !== undefined && <span class="num"> {age(seconds)}</span>}
+      </span>
+    </div>
+  );
+}
+
+function Recording() {
+  const status = live.latest("server/status");
+  if (status && !live.isFresh("server/status")) {
+    return (
+      <span class="chip" data-look="off" title="The server does not answer">
+        <HollowIcon size={11} /> Recording unknown
+      </span>
+    );
+  }
+  const on = Boolean(status?.recording);
+  const lost = Number(status?.recorderDropped ?? 0n);
+  if (!on && status?.recorderTrouble) {
+    return (
+      <span
+        class="chip recording"
+        data-look="lost"
+        role="status"
+        title={`Runs are not being recorded: ${status.recorderTrouble}`}
+      >
+        <AlarmIcon /> Cannot record
+      </span>
+    );
+  }
+  return (
+    <span
+      class="chip recording"
+      data-look={on ? "recording" : "off"}
+      title={on ? `Run ${status?.recordingRunId}` : "Each mission is recorded from start to end"}
+    >
+      {on ? <RecordIcon size={11} /> : <HollowIcon size={11} />}
+      {on ? (
+        <>
+          REC <span class="num">{bytes(status?.recordedBytes)}</span>
+        </>
+      ) : (
+        "Not recording"
+      )}
+      {lost > 0 && <span class="lost"> {lost} dropped</span>}
+    </span>
+  );
+}
+
+function ThemeButton() {
+  const next = theme.value === "dark" ? "light" : "dark";
+  return (
+    <button
+      type="button"
+      class="quiet"
+      aria-label={`Switch to the ${next} theme`}
+      onClick={() => setTheme(next)}
+    >
+      {next === "light" ? <SunIcon size={16} /> : <MoonIcon size={16} />}
+    </button>
+  );
+}
+
+function Logo() {
+  return (
+    <svg width="26" height="20" viewBox="0 0 32 24" aria-hidden="true">
+      <path
+        d="M3 18C11 18 10 7 16 7S23 7 29 7"
+        fill="none"
+        class="logo-path"
+        stroke-width="3"
+        stroke-linecap="round"
+      />
+      <circle cx="16" cy="7" r="3" class="logo-way" />
+      <circle cx="29" cy="7" r="3" class="logo-end" />
+    </svg>
+  );
+}

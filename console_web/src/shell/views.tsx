@@ -1,0 +1,78 @@
+// The views by the server's table, each loaded when it is first opened. To add one: a line in the server's
+// table, a line here, and its component.
+import { signal } from "@preact/signals";
+import type { ComponentType } from "preact";
+import { VIEWS } from "../gen/house";
+import { Main } from "../ui/main";
+import { Empty, Panel } from "../ui/panel";
+
+export type ViewId = (typeof VIEWS)[number]["id"];
+type View = ComponentType<{ hidden: boolean }>;
+
+const LOADERS: Record<ViewId, () => Promise<View>> = {
+  live: async () => (await import("../live/live_view")).LiveView,
+  missions: async () => (await import("../missions/missions_view")).MissionsView,
+  weights: async () => (await import("../weights/weights_view")).WeightsView,
+  runs: async () => (await import("../runs/runs_view")).RunsView,
+};
+/** Stays in the page while another view is shown: its scene is slow to load. */
+const KEPT: ViewId = "live";
+
+const loaded = signal<Partial<Record<ViewId, View>>>({});
+const failed = signal<ViewId | undefined>(undefined);
+
+function viewOfAddress(): ViewId {
+  const wanted = location.hash.slice(1).split("/")[0];
+  return VIEWS.find(({ id }) => id === wanted)?.id ?? "live";
+}
+
+/** The view that the address names after "#". */
+export const view = signal<ViewId>(viewOfAddress());
+
+async function load(id: ViewId): Promise<void> {
+  if (loaded.peek()[id]) return;
+  try {
+    const component = await LOADERS[id]();
+    loaded.value = { ...loaded.peek(), [id]: component };
+    failed.value = undefined;
+  } catch {
+    failed.value = id; // the server is away
+  }
+}
+
+void load(view.peek());
+addEventListener("hashchange", () => {
+  view.value = viewOfAddress();
+  void load(view.peek());
+});
+
+export function Views() {
+  const here = view.value;
+  const open = VIEWS.filter(({ id }) => id === here || id === KEPT);
+  return (
+    <>
+      {open.map(({ id, name }) => {
+        const Component = loaded.value[id];
+        if (Component) return <Component key={id} hidden={id !== here} />;
+        return id === here && <Unloaded key={id} id={id} name={name} />;
+      })}
+    </>
+  );
+}
+
+function Unloaded({ id, name }: { id: ViewId; name: string }) {
+  return (
+    <Main name={name} class="view">
+      {failed.value === id && (
+        <Panel title={name}>
+          <Empty>
+            This view could not be loaded: the server does not answer.{" "}
+            <button type="button" class="action small" onClick={() => void load(id)}>
+              Try again
+            </button>
+          </Empty>
+        </Panel>
+      )}
+    </Main>
+  );
+}

@@ -1,0 +1,1 @@
+"""What each route answers, as models: the server checks them, the console's TypeScript is made from them."""

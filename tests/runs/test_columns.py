@@ -1,0 +1,95 @@
+"""A recorded run gives the same figures as the simulation it came from."""
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from bumpless import NoFigures, open_run
+from bumpless.contract import bumpless_pb2 as pb
+from bumpless.metrics import Columns, as_dict, metrics_of
+from tests.runs.flights import Flight, begin, record
+
+
+def same(one: Any, other: Any, path: str = "") -> None:
+    """Equal up to the rounding of rad to deg and back."""
+    if isinstance(one, dict):
+        assert one.keys() == other.keys()
+        for key in one:
+            same(one[key], other[key], f"{path}.{key}")
+    elif isinstance(one, list):
+        assert len(one) == len(other), path
+        for i, (a, b) in enumerate(zip(one, other, strict=True)):
+            same(a, b, f"{path}[{i}]")
+    elif isinstance(one, float):
+        assert other == pytest.approx(one, rel=1e-9, abs=1e-9), path
+    else:
+        assert one == other, path
+
+
+def test_metrics_from_the_file_are_the_simulations(flight: Flight) -> None:
+    """One definition, two ways to the numbers: memory, and the bus's messages on a disk."""
+    result = flight.result
+    columns = Columns.from_log(result.log, len(result.vehicle.commands))
+    direct = metrics_of(columns, result.vehicle, flight.run.info.run_id)
+    stored = open_run(flight.path).metrics
+    assert direct.cycles == len(result.log)
+    same(as_dict(direct), as_dict(stored))
+    assert flight.run.metrics == stored
+
+
+def test_the_flight_obeys_proposition_1(flight: Flight) -> None:
+    """No increment beyond its bound and no step of the demand, in a flight through all three modes."""
+    metrics = open_run(flight.path).metrics
+    assert [(s.from_mode, s.to_mode) for s in metrics.switches] == [(1, 2), (2, 3)]
+    assert metrics.increment_violations == 0
+    assert metrics.demand_step_violations == 0
+
+
+def test_without_truth_only_its_figure_is_missing(flight: Flight, tmp_path: Path) -> None:
+    """A real vehicle's log has no truth/state."""
+    path = tmp_path / "real.mcap"
+    record(path, [told for told in flight.bus if told[1] != "truth/state"])
+    found, full = open_run(path).metrics, open_run(flight.path).metrics
+    assert as_dict(found)["residual_rms_true"] is None
+    found.residual_rms_true = full.residual_rms_true
+    assert found == full
+
+
+def is_lost(topic: str, payload: bytes) -> bool:
+    return topic == "tlm/control" and pb.Control.FromString(payload).stamp.cycle in (100, 101, 500)
+
+
+def test_cycles_with_a_lost_message_are_missing_cycles(flight: Flight, tmp_path: Path) -> None:
+    """A dropped message costs its cycle, not the run."""
+    path = tmp_path / "lossy.mcap"
+    record(path, [told for told in flight.bus if not is_lost(told[1], told[3])], flush_every=3000)
+    metrics = open_run(path).metrics
+    assert metrics.missing_cycles == 3
+    assert metrics.cycles == len(flight.result.log) - 3
+
+
+def test_every_cycle_says_what_the_checks_need(flight: Flight) -> None:
+    """Phase and frozen demand of each cycle: without them idle cycles count and ramps look like jumps."""
+    rows = iter(flight.result.log)
+    controls = iter(flight.result.log)
+    for _, topic, _, payload in flight.bus:
+        if topic == "tlm/supervisor":
+            assert pb.Supervisor.FromString(payload).phase == next(rows)["phase"]
+        elif topic == "tlm/control":
+            frozen = pb.Control.FromString(payload).frozen
+            kept = (frozen.x_n, frozen.y_n, frozen.z_n, frozen.k_nm, frozen.m_nm, frozen.n_nm)
+            assert kept == tuple(next(controls)["tau_minus"])
+
+
+def test_the_vehicle_comes_from_the_file(flight: Flight) -> None:
+    """No vehicle folder is needed to read a log of another machine."""
+    assert open_run(flight.path).vehicle == flight.result.vehicle
+
+
+def test_a_log_without_a_mission_has_no_metrics(tmp_path: Path) -> None:
+    """Nothing to measure is no error."""
+    path = tmp_path / "idle.mcap"
+    begin(path).finish("complete", "nothing was flown")
+    with pytest.raises(NoFigures):
+        open_run(path).metrics  # noqa: B018

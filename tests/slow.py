@@ -1,0 +1,46 @@
+"""Which tests `make test-fast` leaves out: those that open a browser, fly a study or many flights, or build.
+
+Said in one place, by folder or file, and by fixture for browsers; everything else must stay quick.
+"""
+
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[1]
+BROWSER = {"browser", "chromium_path"}  # fixtures
+SLOW = (
+    "tests/bench",
+    "tests/console",
+    "tests/paper",
+    "tests/stability",
+    # whole flights in real time, real processes that are killed, minutes of a node's memory
+    "tests/config/vehicle/test_flights.py",
+    "tests/node/test_memory.py",
+    "tests/node/test_stalled.py",
+    "tests/node/test_three_processes.py",
+    "tests/server/cli/test_serve.py",
+    "tests/server/live/test_real_node.py",
+    # tens of thousands of problems, and code compiled anew
+    "tests/control/allocation/test_mdca_optimum.py",
+    "tests/control/allocation/test_qp_handles.py",
+    "tests/control/allocation/test_qp_optimum.py",
+    "tests/jit",
+    # packages and releases that are built
+    "tests/infra/test_package.py",
+    "tests/infra/test_release.py",
+)
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Declare the mark."""
+    config.addinivalue_line("markers", "slow: left out by `make test-fast`; tests/slow.py says which and why")
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Mark what is slow."""
+    places = tuple(ROOT / place for place in SLOW)
+    for item in items:
+        opens = BROWSER & set(getattr(item, "fixturenames", ()))
+        if opens or any(item.path == place or place in item.path.parents for place in places):
+            item.add_marker("slow")

@@ -1,0 +1,85 @@
+"""Frozen models whose fields carry notes, and what can be asked of them.
+
+A model is a dataclass (`dataclasses.replace`, `==` and pickle work as ever) that pydantic checks when it is
+made: no instance holds a number out of its range.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cache
+from typing import Any, Literal, TypeVar, dataclass_transform, get_args, get_origin
+
+from pydantic import ConfigDict
+from pydantic.dataclasses import dataclass as checked
+from pydantic_core import PydanticUndefined
+
+from bumpless.config.declare.notes import Note, without_none
+
+MISSING: Any = PydanticUndefined
+T = TypeVar("T")
+_CONFIG = ConfigDict(extra="forbid", validate_by_name=True, validate_by_alias=True)
+
+
+@dataclass_transform(frozen_default=True)
+def model(cls: type[T]) -> type[T]:
+    """Make a class of annotated fields a frozen, checked dataclass."""
+    made: Any = checked(frozen=True, config=_CONFIG)(cls)
+    return made
+
+
+@dataclass(frozen=True)
+class Field:
+    """One declared field."""
+
+    name: str  # attribute
+    key: str  # in files: `lambda`, which is a word of Python
+    kind: Any  # type without None
+    optional: bool  # may be null
+    note: Note
+    default: Any  # MISSING when the file must say it
+
+
+@cache
+def fields_of(cls: type) -> dict[str, Field]:
+    """The declared fields of a model by the keys of files; those without a note are no part of files."""
+    found = {}
+    for name, info in cls.__pydantic_fields__.items():  # type: ignore[attr-defined]
+        note = next((item for item in info.metadata if isinstance(item, Note)), None)
+        if note is None:
+            continue
+        kind, optional = without_none(info.annotation)
+        default = info.get_default(call_default_factory=True)
+        key = info.alias or name
+        found[key] = Field(name, key, kind, optional, note, default)
+    return found
+
+
+def parts_of(kind: Any) -> tuple[type, ...]:
+    """The models that a field of this type holds: itself, the options of a union, the entries of a list."""
+    if get_origin(kind) is tuple:
+        kind = get_args(kind)[0]
+    options = [
+        item for item in _flat(kind) if isinstance(item, type) and hasattr(item, "__pydantic_fields__")
+    ]
+    return tuple(options)
+
+
+def _flat(kind: Any) -> Iterator[Any]:
+    """Options of unions and annotations, all the way down."""
+    if get_origin(kind) is Literal or get_origin(kind) is tuple or not get_args(kind):
+        yield kind
+        return
+    for inner in get_args(kind):
+        yield from _flat(inner)
+
+
+def tag_of(cls: type) -> str:
+    """The word in `kind` that chooses this model among others; "" for one that stands alone."""
+    info = cls.__pydantic_fields__.get("kind")  # type: ignore[attr-defined]
+    return get_args(info.annotation)[0] if info is not None and get_args(info.annotation) else ""
+
+
+def as_table(instance: Any) -> dict[str, Any]:
+    """An instance's fields by the keys of files, rows as lists; parts stay as they are."""
+    values = {field.key: getattr(instance, field.name) for field in fields_of(type(instance)).values()}
+    return {key: list(value) if isinstance(value, tuple) else value for key, value in values.items()}

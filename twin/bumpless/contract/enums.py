@@ -1,0 +1,18 @@
+"""The contract's enumerations as plain numbers: compiled code and the records count as the bus does.
+
+`tests/infra/test_enums.py` holds them against `bumpless.proto`.
+"""
+
+FORWARD, REVERSE, HOVER = 1, 2, 3  # Mode
+MODES = (FORWARD, REVERSE, HOVER)
+
+IDLE, RUNNING, PAUSED, COMPLETED, ABORTED = 1, 2, 3, 4, 5  # MissionPhase
+FLYING = (RUNNING, PAUSED)  # a mission is being flown
+ENDED = (COMPLETED, ABORTED)
+
+# SolveStatus, of a QP as of a cycle's allocation: optimal within tolerance; feasible, but not shown to be
+# optimal; bounds contradict each other, the nearest point is held; the chosen solver failed, the built-in
+# active set answered; not a number among the data, the start is held inside its bounds
+SOLVED, BUDGET_SPENT, INFEASIBLE, FALLBACK, REFUSED = 1, 2, 3, 4, 5
+
+INFO, WARNING, ALARM = 1, 2, 3  # Severity

@@ -1,0 +1,24 @@
+"""All that an autopilot knows of a mission; what is true besides is the simulation's (`sim.truth`)."""
+
+import numpy as np
+
+from bumpless.config.capacity import MAX_WAYPOINTS
+from bumpless.physics.faults import FAULTS
+
+f8, i8 = np.float64, np.int64
+
+PLAN = np.dtype(
+    [
+        ("n_legs", i8),
+        ("waypoint", f8, (MAX_WAYPOINTS, 3)),  # NED, m; leg i goes from i to i + 1
+        ("speed", f8, MAX_WAYPOINTS),  # of leg i, m/s
+        ("target", f8, 4),  # planned marker position NED, approach heading
+        ("standoff", f8),  # m before the marker
+        ("start", f8, 6),  # eta
+        ("start_speed", f8),  # surge through water, m/s
+        ("cycles", i8),  # longest duration
+        ("hold_cycles", i8),  # in a row in H within d_RH^U that complete the mission; 0: never
+        ("faults", FAULTS),  # that it is told of; only a fault-tolerant allocator looks
+    ],
+    align=True,
+)

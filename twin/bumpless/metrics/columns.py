@@ -1,0 +1,90 @@
+"""The columns of a run that its figures are made of."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, fields, replace
+from typing import Any, Self
+
+import numpy as np
+import numpy.typing as npt
+
+from bumpless.contract.enums import FLYING
+from bumpless.contract.units import EDGE_PER_SI
+
+Floats = npt.NDArray[np.float64]
+Integers = npt.NDArray[np.int64]
+
+FLOWN = (0, *FLYING)  # phases whose rows count; 0: not said
+
+
+@dataclass(frozen=True)
+class Columns:
+    """One row per control cycle (n rows, n_u actuators), named and scaled as in `sim.log.LOG`.
+
+    Only cycles in which the mission ran are kept. Columns of truth are NaN where nobody knew it.
+    """
+
+    time: Floats  # (n,) s since mission start
+    cycle: Integers  # (n,)
+    mode: Integers  # (n,) FORWARD, REVERSE, HOVER
+    kappa: Floats  # (n,)
+    range: Floats  # (n,) m, to the observation point
+    depth: Floats  # (n,) m, measured
+    eta_hat: Floats  # (n, 6) m and rad
+    nu_hat: Floats  # (n, 6) m/s and rad/s
+    tau_d: Floats  # (n, 6) N and N m
+    tau_plus: Floats  # (n, 6)
+    tau_minus: Floats  # (n, 6)
+    tau_c: Floats  # (n, 6) by the allocator's model
+    tau: Floats  # (n, 6) the plant's true wrench
+    observation_point: Floats  # (n, 3) NED, as believed
+    target: Floats  # (n, 4) believed position NED, m, and approach heading, rad
+    eta: Floats  # (n, 6) truth
+    nu: Floats  # (n, 6) truth
+    target_true: Floats  # (n, 3) truth
+    u: Floats  # (n, n_u) commands, rad or rev/s
+    du_max: Floats  # (n, n_u) increment bound of the cycle
+    status: Integers  # (n,) SolveStatus
+    solve_time: Floats  # (n,) s
+
+    @classmethod
+    def from_log(cls, log: npt.NDArray[Any], n_u: int) -> Self:
+        """From an array of LOG rows; rows outside the mission are left out."""
+        rows = log[np.isin(log["phase"], FLOWN)]
+        columns = {f.name: np.array(rows[f.name]) for f in fields(cls)}
+        for name in ("u", "du_max"):
+            columns[name] = columns[name][:, :n_u]
+        return cls(**columns)
+
+    def as_told(self, units: Sequence[str]) -> Self:
+        """The same after its way over the bus, in deg and rpm: what a log holds, to the bit.
+
+        units: of each actuator's command, "deg" or "rpm".
+        """
+        edge = np.array([EDGE_PER_SI[unit] for unit in units])
+        angles = {name: getattr(self, name).copy() for name in ("eta_hat", "nu_hat", "eta", "nu")}
+        for values in angles.values():
+            values[:, 3:] = np.radians(values[:, 3:] * EDGE_PER_SI["deg"])
+        target = self.target.copy()
+        target[:, 3] = np.radians(target[:, 3] * EDGE_PER_SI["deg"])
+        return replace(
+            self,
+            u=self.u * edge / edge,
+            du_max=self.du_max * edge / edge,
+            solve_time=self.solve_time * 1e6 * 1e-6,
+            target=target,
+            **angles,
+        )
+
+    def __len__(self) -> int:
+        return len(self.time)
+
+    @property
+    def follows(self) -> npt.NDArray[np.bool_]:
+        """(n,) whether the row before is the cycle before; False for the first row and after a gap."""
+        first = np.zeros(min(len(self), 1), bool)
+        return np.concatenate([first, np.diff(self.cycle) == 1])
+
+    @property
+    def missing(self) -> int:
+        """Cycles between the first and the last that are not in the log."""
+        return int(self.cycle[-1] - self.cycle[0] + 1 - len(self)) if len(self) else 0

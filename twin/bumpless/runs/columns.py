@@ -1,0 +1,190 @@
+"""A recorded run back as columns: the bus's messages, joined by control cycle, in SI and radians."""
+
+from array import array
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from google.protobuf.message import DecodeError
+
+from bumpless.config.vehicle import Vehicle, VehicleError, parse_vehicle
+from bumpless.contract import bumpless_pb2 as pb
+from bumpless.contract.keys import SAID
+from bumpless.contract.units import EDGE_PER_SI
+from bumpless.metrics import Columns
+from bumpless.metrics.columns import FLOWN
+from bumpless.runs.figures import Figures, figures_of, how_ended
+from bumpless.runs.names import DESCRIPTION, MISSION, PLAN, TRUTH
+from bumpless.runs.read import log_messages
+
+
+@dataclass(frozen=True)
+class RecordedColumns:
+    """What the messages of a file tell. `vehicle` is None when it holds no usable description."""
+
+    columns: Columns
+    vehicle: Vehicle | None
+    status: pb.MissionStatus  # the last; empty when there is none
+    plan: pb.Plan  # the last; empty when there is none
+
+
+class _Column:
+    """Numbers of one topic, one row per message."""
+
+    def __init__(self) -> None:
+        self.cycles, self.values = array("q"), array("d")
+
+    def add(self, cycle: int, numbers: Iterable[float]) -> None:
+        self.cycles.append(cycle)
+        self.values.extend(numbers)
+
+    def table(self) -> tuple[np.ndarray, np.ndarray]:
+        """Cycles (m,), ascending and each once, and rows (m, width)."""
+        cycles = np.array(self.cycles, np.int64)
+        values = np.array(self.values).reshape(len(cycles), -1) if len(cycles) else np.empty((0, 0))
+        unique, first = np.unique(cycles, return_index=True)
+        return unique, values[first]
+
+
+def read_columns(path: Path) -> RecordedColumns:
+    """Read a log, whole or cut. A cycle that lacks one of its messages is left out."""
+    columns = {topic: _Column() for topic in _NUMBERS}
+    vehicle: Vehicle | None = None
+    status, plan = pb.MissionStatus(), pb.Plan()
+    wanted = {DESCRIPTION, MISSION, PLAN, *_NUMBERS}
+    for topic, record in log_messages(path, wanted):
+        if topic == DESCRIPTION and vehicle is not None:
+            continue
+        message: Any = SAID[topic]()
+        try:
+            message.ParseFromString(record.data)
+        except DecodeError:
+            continue
+        if topic == DESCRIPTION:
+            vehicle = _vehicle(message)
+        elif topic == MISSION:
+            status = message
+        elif topic == PLAN:
+            plan = message
+        else:
+            columns[topic].add(message.stamp.cycle, _NUMBERS[topic](message))
+    return RecordedColumns(_joined(columns), vehicle, status, plan)
+
+
+def figures_of_file(path: Path, run_id: str, state: str, phase: int) -> Figures | None:
+    """Figures of a log, also of one that is still being written (flush it first) or was cut.
+
+    `state` and `phase` are the run's last. None when the file holds no cycle of a mission or no usable
+    vehicle description. Raises ValueError when it is not MCAP.
+    """
+    data = read_columns(path)
+    if data.vehicle is None or len(data.columns) == 0:
+        return None
+    return figures_of(data.columns, data.vehicle, run_id, how_ended(state, phase))
+
+
+def _vehicle(message: pb.VehicleDescription) -> Vehicle | None:
+    try:
+        return parse_vehicle(message.vehicle_toml, f"{message.vehicle_id}.toml")
+    except VehicleError:
+        return None
+
+
+def _joined(columns: dict[str, _Column]) -> Columns:
+    tables = {topic: column.table() for topic, column in columns.items()}
+    truth_cycles, truth = tables.pop(TRUTH)
+    cycle = tables["tlm/supervisor"][0]
+    for own, _ in tables.values():
+        cycle = np.intersect1d(cycle, own, assume_unique=True)
+    rows = {topic: values[np.searchsorted(own, cycle)] for topic, (own, values) in tables.items()}
+    flying = np.isin(rows["tlm/supervisor"][:, 0], FLOWN) if len(cycle) else np.zeros(0, bool)
+    cycle = cycle[flying]
+    rows = {topic: values[flying] if len(cycle) else np.empty((0, 80)) for topic, values in rows.items()}
+    supervisor, navigation = rows["tlm/supervisor"], rows["tlm/navigation"]
+    control, allocation = rows["tlm/control"], rows["tlm/allocation"]
+    actuators, target = rows["tlm/actuators"], rows["tlm/target"]
+    n_u = actuators.shape[1] // 2
+    known = np.full((len(cycle), 21), np.nan)  # truth: wrench, pose, velocity, target
+    _, here, there = np.intersect1d(cycle, truth_cycles, assume_unique=True, return_indices=True)
+    if len(here):
+        known[here] = truth[there]
+    return Columns(
+        time=supervisor[:, 1],
+        cycle=cycle,
+        mode=supervisor[:, 2].astype(np.int64),
+        kappa=supervisor[:, 3],
+        range=supervisor[:, 4],
+        depth=navigation[:, 0],
+        eta_hat=navigation[:, 1:7],
+        nu_hat=navigation[:, 7:13],
+        tau_d=control[:, 0:6],
+        tau_plus=control[:, 6:12],
+        tau_c=control[:, 12:18],
+        tau_minus=control[:, 18:24],
+        tau=known[:, :6],
+        observation_point=target[:, 4:7],
+        target=target[:, :4],
+        eta=known[:, 6:12],
+        nu=known[:, 12:18],
+        target_true=known[:, 18:21],
+        u=actuators[:, :n_u],
+        du_max=actuators[:, n_u : 2 * n_u],
+        status=allocation[:, 0].astype(np.int64),
+        solve_time=allocation[:, 1],
+    )
+
+
+def _supervisor(m: pb.Supervisor) -> tuple[float, ...]:
+    return (m.phase, m.stamp.mission_time_s, m.mode, m.kappa, m.range_m)
+
+
+def _navigation(m: pb.Navigation) -> list[float]:
+    return [m.depth_m, *_motion(m)]
+
+
+def _motion(m: pb.Navigation | pb.TruthState) -> list[float]:
+    """Pose and velocity, 6 each."""
+    at, v = m.position_ned_m, m.velocity_body_mps
+    a, w = m.attitude, m.angular_rate_body_degps
+    degrees = np.radians([a.roll_deg, a.pitch_deg, a.yaw_deg, w.x, w.y, w.z]).tolist()
+    return [at.x, at.y, at.z, *degrees[:3], v.x, v.y, v.z, *degrees[3:]]
+
+
+def _target(m: pb.Target) -> list[float]:
+    at, point = m.position_ned_m, m.observation_point_ned_m
+    return [at.x, at.y, at.z, float(np.radians(m.heading_deg)), point.x, point.y, point.z]
+
+
+def _truth(m: pb.TruthState) -> list[float]:
+    at = m.target_position_ned_m
+    return [*_wrench(m.actuator_wrench), *_motion(m), at.x, at.y, at.z]
+
+
+def _control(m: pb.Control) -> list[float]:
+    return [n for wrench in (m.demanded, m.demanded_raw, m.achieved, m.frozen) for n in _wrench(wrench)]
+
+
+def _wrench(w: pb.Wrench) -> tuple[float, ...]:
+    return (w.x_n, w.y_n, w.z_n, w.k_nm, w.m_nm, w.n_nm)
+
+
+def _actuators(m: pb.Actuators) -> list[float]:
+    commands = [a.command / EDGE_PER_SI[a.unit] for a in m.actuators]
+    return commands + [a.increment_bound / EDGE_PER_SI[a.unit] for a in m.actuators]
+
+
+def _allocation(m: pb.Allocation) -> tuple[float, ...]:
+    return (m.status, m.solve_time_us * 1e-6)
+
+
+_NUMBERS: dict[str, Callable[[Any], Iterable[float]]] = {
+    "tlm/supervisor": _supervisor,
+    "tlm/navigation": _navigation,
+    "tlm/control": _control,
+    "tlm/actuators": _actuators,
+    "tlm/allocation": _allocation,
+    "tlm/target": _target,
+    TRUTH: _truth,
+}

@@ -1,0 +1,40 @@
+"""All that is not on board: the true vehicle in its water, its sensors, and what is true besides."""
+
+import numpy as np
+
+from bumpless.physics.model_record import MODEL
+from bumpless.physics.plant import PLANT
+from bumpless.physics.sensors import MEASUREMENT, SENSORS
+from bumpless.sim.truth import TRUTH
+
+WORLD = np.dtype(
+    [
+        ("truth", TRUTH),
+        ("model", MODEL),  # of the true vehicle
+        ("sensors", SENSORS),
+        ("plant", PLANT),
+        ("measurement", MEASUREMENT),  # what the autopilot hears
+    ],
+    align=True,
+)
+
+
+def clear(record: np.void) -> None:
+    """Set every number of a record to zero."""
+    for name in record.dtype.names or ():
+        record[name] = np.zeros((), record.dtype[name])
+
+
+def place_plant(truth: np.void, sensors: np.void, plant: np.void, rng: np.random.Generator) -> None:
+    """Put the plant at the mission's start; draw the sensors' biases, which last a run, into the truth."""
+    clear(plant)
+    plant["eta"] = truth["start"]
+    psi, environment = plant["eta"][5], truth["environment"]
+    current = environment["current"]
+    plant["nu"][0] = truth["start_speed"] + current[0] * np.cos(psi) + current[1] * np.sin(psi)
+    plant["nu"][1] = -current[0] * np.sin(psi) + current[1] * np.cos(psi)
+    plant["effectiveness"] = 1.0
+    draws = rng.standard_normal(4)
+    truth["errors"]["heading_bias"] = draws[0] * sensors["heading_bias_std"]
+    truth["errors"]["depth_bias"] = draws[1] * sensors["depth_bias_std"]
+    plant["gust"][:2] = draws[2:4] * environment["gust_std"]
