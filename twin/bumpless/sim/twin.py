@@ -42,6 +42,11 @@ def one(dtype: np.dtype) -> np.ndarray:
     return np.zeros(1, dtype)
 
 
+def new_log(cycles: int) -> np.ndarray:
+    """Empty LOG rows for `Twin.fly`, shape (cycles,)."""
+    return np.zeros(cycles, LOG)
+
+
 class Twin:
     """One simulated vehicle with its autopilot. Not thread safe: one thread steps it.
 
@@ -175,8 +180,16 @@ class Twin:
             completed_event(self.events, row)
         return row
 
+    @property
+    def cycles(self) -> int:
+        """Longest duration of the mission, in control cycles."""
+        return int(self.onboard["plan"]["cycles"])
+
     def fly(self, log: np.ndarray) -> int:
-        """Fly up to len(log) cycles into LOG rows, to the end of the phase at most; returns how many."""
+        """Fly up to len(log) cycles into LOG rows, to the end of the phase at most; returns how many.
+
+        The cycles are those of `simulate`, however the flight is cut into calls. Adds no events for the rows.
+        """
         noise = self._rng.standard_normal((len(log), N_NOISE))
         return fly(self._handle, self._onboard, self._world, noise, log)
 
@@ -214,8 +227,8 @@ def simulate(
     parameters = parameters or parameters_for(vehicle, mission)
     twin = Twin(vehicle, parameters)
     twin.start(mission, seed, parameters, alter)
-    total = int(twin.onboard["plan"]["cycles"])
-    log = np.zeros(total, LOG)
+    total = twin.cycles
+    log = new_log(total)
     filled = 0
     while filled < total and twin.phase == RUNNING:
         filled += twin.fly(log[filled : filled + _CHUNK])
