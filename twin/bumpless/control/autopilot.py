@@ -62,7 +62,7 @@ def is_completed(plan, cycle, hover_cycles):
 def locate(settings, sensors, m, s, out):
     """Where the vehicle is and how it moves through water; fills the NAVIGATION_OUTPUT. s: STATE."""
     navigation, first = s.navigation, s.clock.cycle == 0
-    navigate(settings.dt, s.clock, sensors, m, navigation, out)
+    navigate(settings.dt, settings.navigation, s.clock, sensors, m, navigation, out)
     smooth_flow(settings.dt, settings.guidance, first, out.nu_r, navigation.smooth_nu_r)
 
 
@@ -78,7 +78,7 @@ def fly_cycle(handle, onboard, m):
             s.estimator, onboard.scratch.estimator,
         )  # fmt: skip
     if m.fresh == 1:
-        filter_detection(settings.supervisor, m.detected, s.supervisor)
+        filter_detection(settings.supervisor, out.navigation.sighted, s.supervisor)
     situation = out.situation
     look(plan, s.navigation, situation)
     switched = onboard.orders.change == 1
