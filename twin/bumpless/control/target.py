@@ -51,7 +51,7 @@ def take_sight(dt, settings, sensors, m, state):
         state.target[k] = follow(state.target[k], ned[k], gain)
     state.fixes += 1
     if sensors.usbl_period > 0 and isfinite(variance):
-        state.target_variance = max(variance, _GROWTH)
+        state.target_variance = max(variance * gain / (2.0 - gain), _GROWTH)  # what such a filter leaves
     return 1
 
 
