@@ -3,6 +3,8 @@
 import numpy as np
 import pytest
 
+from bumpless.config.capacity import MAX_ACTUATORS
+from bumpless.config.vehicle import load_vehicle
 from bumpless.control.guidance.record import GUIDANCE_SETTINGS
 from bumpless.control.navigation import (
     CLOCK,
@@ -12,7 +14,10 @@ from bumpless.control.navigation import (
     navigate,
 )
 from bumpless.control.pid import ERRORS, smooth_errors
+from bumpless.physics.model import build_model
 from bumpless.physics.sensors import MEASUREMENT, SENSORS
+
+MODEL, HEALTHY = build_model(load_vehicle("ts100")), np.ones(MAX_ACTUATORS)
 
 
 def records() -> list:
@@ -35,7 +40,7 @@ def test_a_sample_that_is_no_number_is_passed_over(name):
             m[name][:] = np.nan if bad else sound
         else:
             m[name] = np.nan if bad else sound
-        navigate(0.05, settings, clock, sensors, m, state, out)
+        navigate(0.05, settings, clock, sensors, MODEL, HEALTHY, m, state, out)
         clock["cycle"] += 1
         assert np.isfinite(out["nu_r"]).all() and np.isfinite(out["depth_rate"])
         for field in ("eta", "nu", "current", "target"):
@@ -58,7 +63,7 @@ def test_without_the_bottom_the_last_current_carries_on():
         m["velocity_valid"], m["water_valid"] = 0 if lost else int(cycle % 2 == 0), int(cycle % 2 == 0)
         m["water_velocity"][:2] = through
         m["velocity"][:2] = 0.0 if lost else through + flow
-        navigate(dt, settings, clock, sensors, m, state, out)
+        navigate(dt, settings, clock, sensors, MODEL, HEALTHY, m, state, out)
         clock["cycle"], clock["time"] = cycle + 1, time + dt
         over = through + flow
         place += dt * np.array([c * over[0] - s * over[1], s * over[0] + c * over[1]])

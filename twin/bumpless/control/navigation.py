@@ -9,6 +9,7 @@ from math import isfinite
 import numpy as np
 
 from bumpless.config.parameters.records import section_dtype
+from bumpless.control.bridge import SILENCE, add_current, coast
 from bumpless.control.target import find_target
 from bumpless.jit import jit
 from bumpless.jit.memory import floats
@@ -39,6 +40,7 @@ NAVIGATION_STATE = np.dtype(
         ("nu", f8, 6),
         ("current", f8, 3),  # NED, m/s
         ("target", f8, 3),  # NED, m
+        ("silent", i8),  # cycles since the last sample of the DVL
         ("fixes", i8),  # of the target by camera so far
         ("target_variance", f8),  # m^2, of its estimate, where USBL is fitted; 0: none
         ("doubt", f8, (2, 3)),  # last fix that wasn't believed, NED, m; by camera, by USBL
@@ -60,9 +62,9 @@ NAVIGATION_OUTPUT = np.dtype(
 
 
 @jit
-def navigate(dt, settings, clock, sensors, m, state, out):
+def navigate(dt, settings, clock, sensors, model, effectiveness, m, state, out):
     """Update the NAVIGATION_STATE `state` from the measurement `m`; fill the NAVIGATION_OUTPUT but for
-    nu_flow. settings: NAVIGATION_SETTINGS."""
+    nu_flow. settings: NAVIGATION_SETTINGS; effectiveness (n,): of the actuators, as believed."""
     ned = floats(3)
     fresh_start = clock.cycle == 0
     k_rate = 1.0 if fresh_start else lag(dt, _T_RATE)
@@ -85,7 +87,11 @@ def navigate(dt, settings, clock, sensors, m, state, out):
         for k in range(3):
             state.current[k] = follow(state.current[k], ned[k], k_cur)
     elif m.water_valid == 1:
-        bridge(dt, fresh_start, sensors, m, state)
+        k_vel = 1.0 if fresh_start else lag(dt * max(1, sensors.dvl_period), _T_VELOCITY)
+        add_current(k_vel, m, state)
+    state.silent = 0 if m.velocity_valid == 1 or m.water_valid == 1 else state.silent + 1
+    if state.silent > SILENCE * sensors.dvl_period:
+        coast(dt, model, m, effectiveness, state)
 
     body_to_ned(eta[3], eta[4], eta[5], nu, ned)
     for k in range(3):
@@ -100,13 +106,3 @@ def navigate(dt, settings, clock, sensors, m, state, out):
         out.nu_r[3 + k] = nu[3 + k]
 
     find_target(dt, settings, sensors, m, state, out)
-
-
-@jit
-def bridge(dt, first, sensors, m, state):
-    """Velocity over ground without the bottom: through water, and the current as last estimated."""
-    flow = floats(3)
-    gain = 1.0 if first else lag(dt * max(1, sensors.dvl_period), _T_VELOCITY)
-    ned_to_body(state.eta[3], state.eta[4], state.eta[5], state.current, flow)
-    for k in range(3):
-        state.nu[k] = follow(state.nu[k], m.water_velocity[k] + flow[k], gain)
