@@ -504,6 +504,12 @@ export interface components {
             speed_mps: number | null;
         };
         /**
+         * Ending
+         * @description The ways a run can end.
+         * @enum {string}
+         */
+        Ending: "docked" | "held" | "waved_off" | "time_over" | "aborted" | "collided" | "interrupted";
+        /**
          * Event
          * @description One event, and when the server received it.
          */
@@ -1124,6 +1130,9 @@ export interface components {
             mission: string;
             /** Mission Sha256 */
             mission_sha256: string;
+            outcome: components["schemas"]["Ending"] | null;
+            /** Outcome Reason */
+            outcome_reason: string;
             /** Run Id */
             run_id: string;
             /**
