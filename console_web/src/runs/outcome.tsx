@@ -1,68 +1,16 @@
-// How a run ended: colour, shape and word together, never the colour alone.
+// How a run in the list ended.
 import type { RunSummary } from "../api/types";
-import {
-  AlarmIcon,
-  CheckIcon,
-  ClockIcon,
-  HollowIcon,
-  InfoIcon,
-  RecordIcon,
-  StopIcon,
-  UndoIcon,
-  WarningIcon,
-} from "../ui/icons";
-
-type Ending = NonNullable<RunSummary["outcome"]>;
-interface Look {
-  word: string;
-  look: string;
-  Icon: typeof CheckIcon;
-  about: string;
-}
-
-const LOOKS: Record<Ending, Look> = {
-  docked: {
-    word: "docked",
-    look: "live",
-    Icon: CheckIcon,
-    about: "In hover within 0.15 m, 5° and 0.05 m/s of the observation point for the last 10 s",
-  },
-  held: { word: "held", look: "running", Icon: HollowIcon, about: "Over in hover, but not docked" },
-  waved_off: {
-    word: "waved off",
-    look: "stale",
-    Icon: UndoIcon,
-    about: "The approach was given up for a safe place",
-  },
-  time_over: {
-    word: "time over",
-    look: "stale",
-    Icon: ClockIcon,
-    about: "The time was over before hover was reached",
-  },
-  aborted: { word: "aborted", look: "aborted", Icon: StopIcon, about: "Stopped before its end" },
-  collided: {
-    word: "collided",
-    look: "lost",
-    Icon: AlarmIcon,
-    about: "The hull went through the dock's plane within 0.5 m of the marker",
-  },
-  interrupted: {
-    word: "interrupted",
-    look: "stale",
-    Icon: WarningIcon,
-    about: "The recording was cut off: nobody knows how the flight went on",
-  },
-};
+import { ENDINGS, type Look } from "../ui/endings";
+import { InfoIcon, RecordIcon } from "../ui/icons";
 
 /** Of a run that is recorded, that it is; of one without a judgement, how its recording ended. */
 function lookOf(run: RunSummary): Look {
   if (run.state === "recording") {
     return { word: "recording", look: "recording", Icon: RecordIcon, about: "Still flying" };
   }
-  if (run.outcome) return LOOKS[run.outcome];
+  if (run.outcome) return ENDINGS[run.outcome];
   return run.state === "interrupted"
-    ? LOOKS.interrupted
+    ? ENDINGS.interrupted
     : {
         word: "not judged",
         look: "unknown",
