@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from bumpless.physics.model_record import MODEL
+from bumpless.physics.model_record import MODEL, THRUSTER
 from bumpless.physics.plant import PLANT
 from bumpless.physics.sensors import MEASUREMENT, SENSORS
 from bumpless.sim.truth import TRUTH
@@ -38,3 +38,23 @@ def place_plant(truth: np.void, sensors: np.void, plant: np.void, rng: np.random
     truth["errors"]["heading_bias"] = draws[0] * sensors["heading_bias_std"]
     truth["errors"]["depth_bias"] = draws[1] * sensors["depth_bias_std"]
     plant["gust"][:2] = draws[2:4] * environment["gust_std"]
+
+
+def start_shafts(model: np.void, truth: np.void, plant: np.void) -> None:
+    """Let the screws that push ahead turn as the start speed asks for, by the nominal MODEL.
+
+    T_nn n^2 - T_nv n V = D(V) / (number of screws), solved for n, rev/s: a vehicle that begins at speed does
+    not begin with stopped screws.
+    """
+    V = float(truth["start_speed"])
+    drag = float((model["D_linear"][0, 0] + model["D_quadratic"][0, 0] * V) * V)
+    count = int(model["n_u"])
+    ahead = [
+        i for i in range(count) if model["kind"][i] == THRUSTER and model["direction"][i, 0] > 0.9
+    ]  # fmt: skip
+    if drag <= 0.0:
+        return
+    for i in ahead:
+        T_nn, T_nv = float(model["T_nn"][i]), float(model["T_nv"][i]) * V
+        n = (T_nv + np.sqrt(T_nv**2 + 4.0 * T_nn * drag / len(ahead))) / (2.0 * T_nn)
+        plant["u"][i] = min(n, float(model["command_max"][i]))

@@ -9,6 +9,7 @@ from typing import Annotated
 
 from bumpless.config.declare import Part, model
 from bumpless.config.parameters.allocation import AllocationParameters
+from bumpless.config.parameters.docking import DockingParameters
 from bumpless.config.parameters.guidance import GuidanceParameters
 from bumpless.config.parameters.modes import ModeParameters
 from bumpless.config.parameters.supervisor import SupervisorParameters
@@ -26,6 +27,10 @@ class Parameters:
     bumpless: Annotated[BumplessParameters, Part("What makes switches bumpless")]
     allocation: Annotated[AllocationParameters, Part("Allocation of the demand to the actuators")]
     guidance: Annotated[GuidanceParameters, Part("References, and how gains follow speed")]
+
+    docking: Annotated[
+        DockingParameters, Part("How a dock is approached, and when an approach is given up")
+    ] = DockingParameters()
 
     @property
     def modes(self) -> tuple[ModeParameters, ModeParameters, ModeParameters]:

@@ -62,6 +62,8 @@ def residual_curvature(model, x, effectiveness, nu_r, weight, out):
         dd_l, dd_d = fin_coefficient_curvature(model, i, x[i] * scale - atan2(v, u))
         g = effectiveness[i] * scale * scale * 0.5 * model.rho * sqrt(speed2) * model.fin_area[i]
         fx, fe = g * (-dd_d * u - dd_l * v), g * (-dd_d * v + dd_l * u)
+        if model.fins_coast == 1:
+            fx = 0.0
         for k in range(6):
             column[k] = 0.0
         add_force(model, i, fx + fe * e[0], fe * e[1], fe * e[2], column)

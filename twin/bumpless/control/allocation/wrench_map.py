@@ -9,6 +9,7 @@ Source: Gao et al. 2026, eq. (21)-(22), (27)-(36), (46), (50).
 Differs: the inflow term T_nv |n| V_A is taken at the previous command, one cycle old. As an option
 (`smoothing`, x_0) a screw passes through zero with a finite slope: n|n| = x holds far from zero only,
 n ~ x (x^2 + x_0^2)^-1/4 everywhere, which misses at most 0.3 x_0 of the largest thrust.
+As another (`fins_coast`) the fins' drag is taken as given, at the last command: fins do not brake.
 """
 
 from math import sqrt
@@ -64,6 +65,9 @@ def wrench_map(model, x, u_previous, effectiveness, nu_r, tau, jacobian):
         if model.kind[i] == FIN:
             scale = model.command_max[i]
             fx, fe, dx, de = fin_force(model, i, x[i] * scale, nu_r)
+            if model.fins_coast == 1:
+                fx, _, _, _ = fin_force(model, i, u_previous[i], nu_r)
+                dx = 0.0
             add_force(model, i, alpha * (fx + fe * e[0]), alpha * fe * e[1], alpha * fe * e[2], tau)
             g = alpha * scale
             add_force(model, i, g * (dx + de * e[0]), g * de * e[1], g * de * e[2], column[i])
