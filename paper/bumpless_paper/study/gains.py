@@ -1,8 +1,8 @@
 """How TS-100 is flown in the paper's scenarios and in the tank study.
 
 The vehicle file has the gains that dock, and the docking automaton. The study flies the published automaton,
-eq. (53), with the published guidance, and gains tuned for the paper's tables: all that differs is here, and is
-written into the mission files. The paper prints no gains; every number is ours (assumed).
+eq. (53), with the published guidance, and gains tuned for the paper's tables: all that differs is here, and
+is written into the mission files. The paper prints no gains; every number is ours (assumed).
 """
 
 from collections.abc import Mapping

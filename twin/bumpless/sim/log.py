@@ -60,6 +60,8 @@ LOG = np.dtype(
         ("tried", i8),  # approaches begun
         ("tries", i8),  # in all
         ("reason", i8),  # WaveOffReason of the last wave-off
+        ("cleared", i8),  # 1: past the gate
+        ("held", f8),  # s in a row in place at the observation point
         ("approach", f8),  # approach heading in use, rad
         ("fix_age", f8),  # s since the last fix
         # target

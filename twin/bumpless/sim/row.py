@@ -30,17 +30,19 @@ def write_row(onboard, world, phase, row):
     for i in range(onboard.model.n_u):
         row.u_feedback[i] = m.u_feedback[i]
     row.target[3] = heading
-    write_docking(settings, s.docking, row)
+    write_docking(settings, s.docking, out.docking, row)
+    row.held = s.supervisor.hover_cycles * settings.dt
     write_truth(onboard.model.n_u, world.truth, world.plant, row)
     if s.docking.stage > 0:
         write_true_range(world.truth, world.plant, heading, row)
 
 
 @jit
-def write_docking(settings, docking, row):
-    """Stage, tries and reason. settings: SETTINGS."""
+def write_docking(settings, docking, view, row):
+    """Stage, tries and reason. settings: SETTINGS; view: DOCKING_OUTPUT."""
     row.stage, row.tried, row.reason = docking.stage, docking.tried, docking.reason
     row.tries = settings.docking.tries if docking.stage > 0 else 0
+    row.cleared = 1 if docking.cleared == 1 and view.left <= settings.docking.gate_distance else 0
     row.approach, row.fix_age = docking.heading, docking.fix_age * settings.dt
 
 

@@ -1,24 +1,44 @@
 """The way round to the beginning of the approach line, clear of the dock.
 
-Beyond the paper. The line is joined on a circle that is tangent to it where it begins; the way there is tangent
-to that circle, and to the keep-out circle about the marker where that is in the way.
+Beyond the paper. The line is joined on a circle that is tangent to it where it begins; the way there is
+tangent to that circle, and to the keep-out circle about the marker where that is in the way.
 """
 
-from math import asin, atan, cos, hypot, pi, sin
+from math import asin, atan, cos, hypot, pi, sin, sqrt
 
 from bumpless.control.docking.heading import along_across
 from bumpless.jit import jit
 from bumpless.physics.frames import direction, wrap
 
+_LITTLE = 0.5  # rad of turn too much that is made up on the line
+
 
 @jit
-def circle_heading(settings, eta, point, docking):
+def nearer_side(settings, eta, point, approach):
+    """The side, 1 clockwise or -1, on which the way round is the shorter one, turns at both ends included."""
+    best, least = 1, 1e9
+    for k in range(2):
+        side = 1 - 2 * k
+        heading, far = circle_heading(settings, eta, point, approach, side)
+        radius = settings.turn_radius
+        straight = sqrt(max(far * far - radius * radius, 0.0))
+        at_end = side * wrap(approach - heading)  # rad still to be turned on the circle
+        arc = max(at_end, 0.0) if at_end > -_LITTLE else at_end + 2.0 * pi
+        inside = 2.0 * pi * radius if far < 0.9 * radius else 0.0
+        way = straight + inside + radius * (arc + abs(wrap(heading - eta[5])))
+        if way < least:
+            best, least = side, way
+    return best
+
+
+@jit
+def circle_heading(settings, eta, point, approach, side):
     """(heading, far): tangent to the turning circle at the line's beginning, rad, and m to its centre.
 
-    point (3,): the observation point, NED.
+    point (3,): the observation point, NED; approach: heading of the line, rad; side: 1 clockwise, -1 not.
     """
-    c, s = cos(docking.heading), sin(docking.heading)
-    radius, side = settings.turn_radius, float(docking.side)
+    c, s = cos(approach), sin(approach)
+    radius = settings.turn_radius
     # side 1: clockwise turn, centre to starboard of the line
     cx = point[0] - settings.entry_distance * c - side * radius * s
     cy = point[1] - settings.entry_distance * s + side * radius * c
@@ -49,7 +69,7 @@ def clear_heading(settings, eta, target, heading, far):
 def entry_references(settings, plan, navigation, point, docking):
     """(u goal, z goal, psi_d) on the way round; drift is made good by a crab angle."""
     eta, target, current = navigation.eta, navigation.target, navigation.current
-    heading, far = circle_heading(settings, eta, point, docking)
+    heading, far = circle_heading(settings, eta, point, docking.heading, docking.side)
     heading = wrap(clear_heading(settings, eta, target, heading, far))
     along, across = along_across(current, heading)
     speed = plan.speed[plan.n_legs - 1]

@@ -1,7 +1,7 @@
 """Gates: is the vehicle fit to join the line, to go past the gate, to go on?
 
-Beyond the paper. `view` is the DOCKING_OUTPUT of this cycle: left, aside, off, deep and age. The approach cone
-about the line is half as wide as cone_base + cone_slope * left.
+Beyond the paper. `view` is the DOCKING_OUTPUT of this cycle: left, aside, off, deep and age. The approach
+cone about the line is half as wide as cone_base + cone_slope * left.
 """
 
 from bumpless.contract.enums import (

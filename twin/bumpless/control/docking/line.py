@@ -1,8 +1,9 @@
 """Following the approach line, ahead, at rest and astern.
 
 Beyond the paper. On the line the heading makes good the drift with the flow there is: for a speed through
-water u_r at a small angle beta to the line the way across is u_r sin beta, so sin beta = v / u_r gives v. That
-inverse is damped, u_r v / (u_r^2 + u_0^2): it fades at rest and turns round when the vehicle goes astern.
+water u_r at a small angle beta to the line the way across is u_r sin beta, so sin beta = v / u_r gives v.
+That inverse is damped, u_r v / (u_r^2 + u_0^2): it fades at rest and turns round when the vehicle goes
+astern.
 """
 
 from math import asin, cos, sin, sqrt

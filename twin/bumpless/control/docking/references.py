@@ -38,8 +38,8 @@ def smooth_step(x):
 def pitch_reference(settings, guidance, depth, z_d, e_dot_z, u_r, docking):
     """theta_d by line of sight in depth, rad; fills docking.pitch_share, what pitch has of depth.
 
-    theta_d = share atan((z - z_d + T z') / Delta), z' the smoothed depth rate, from the PID's e'_z = -z', m/s.
-    guidance: GUIDANCE_SETTINGS, its pitch_look_ahead Delta and pitch_max; u_r: speed through water, m/s.
+    theta_d = share atan((z - z_d + T z') / Delta), z' the smoothed depth rate, from the PID's e'_z = -z',
+    m/s. guidance: GUIDANCE_SETTINGS, its pitch_look_ahead Delta and pitch_max; u_r: speed through water, m/s.
     """
     low, high = settings.pitch_flow_low, settings.pitch_flow_high
     docking.pitch_share = smooth_step((u_r - low) / max(high - low, 1e-6))

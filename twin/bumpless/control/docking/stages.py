@@ -1,7 +1,7 @@
 """The docking automaton: TRANSIT -> ENTRY -> APPROACH, and BACK after a wave-off, until HOLD.
 
-Beyond the paper. Each function decides one stage for this cycle and returns the mode to fly. H to F along a leg
-that crosses the dock can't happen: F is flown in TRANSIT and ENTRY, which keep clear of the dock, and in
+Beyond the paper. Each function decides one stage for this cycle and returns the mode to fly. H to F along a
+leg that crosses the dock can't happen: F is flown in TRANSIT and ENTRY, which keep clear of the dock, and in
 APPROACH before `break_off`.
 
 supervisor: SUPERVISOR_SETTINGS, whose thresholds d_FR^L, d_RH^L and d_RH^U apply along the line;
@@ -75,7 +75,7 @@ def in_transit(clock, settings, supervisor, plan, navigation, leg, point, view, 
     if can_join(settings, supervisor.d_fr_l, view):
         begin_approach(clock.cycle, docking)
     else:
-        begin_entry(clock.cycle, view, docking)
+        begin_entry(clock.cycle, settings, eta, point, docking)
     return FORWARD
 
 
@@ -129,7 +129,7 @@ def approach_near(cycle, dt, settings, supervisor, mode, view, docking):
 
 
 @jit
-def go_around(cycle, settings, plan, navigation, blind, view, docking):
+def go_around(cycle, settings, plan, navigation, blind, point, view, docking):
     """At the hold point: approach again from here or from the line's beginning, or give up."""
     if docking.tried >= settings.tries or docking.reason == TOO_SLOW:
         give_up(cycle, settings, docking.reason, view, docking)
@@ -146,12 +146,13 @@ def go_around(cycle, settings, plan, navigation, blind, view, docking):
         docking.back_to = settings.hold_distance
         return REVERSE
     docking.heading = heading
-    begin_entry(cycle, view, docking)
+    observation_point(navigation.target, heading, plan.standoff, point)
+    begin_entry(cycle, settings, navigation.eta, point, docking)
     return FORWARD
 
 
 @jit
-def on_way_back(cycle, dt, settings, plan, navigation, view, docking):
+def on_way_back(cycle, dt, settings, plan, navigation, point, view, docking):
     """Waved off: back to the hold point, then round again."""
     waited = (cycle - docking.stage_cycle) * dt
     blind = view.age > settings.lost_far
@@ -162,15 +163,15 @@ def on_way_back(cycle, dt, settings, plan, navigation, view, docking):
     docking.gate_cycles += 1
     if blind and docking.gate_cycles * dt < settings.patience:
         return REVERSE
-    return go_around(cycle, settings, plan, navigation, blind, view, docking)
+    return go_around(cycle, settings, plan, navigation, blind, point, view, docking)
 
 
 @jit
 def next_stage(clock, dt, settings, supervisor, plan, navigation, leg, mode, point, view, docking):
     """Advance stage, approach heading and tries by one cycle; returns the mode to fly.
 
-    settings: DOCKING_SETTINGS; leg: being flown; mode: in force; point (3,): the observation point, kept in step
-    with the heading.
+    settings: DOCKING_SETTINGS; leg: being flown; mode: in force; point (3,): the observation point, kept in
+    step with the heading.
     """
     cycle = clock.cycle
     follow_current(dt, settings, plan, navigation.current, view.left, docking)
@@ -184,7 +185,7 @@ def next_stage(clock, dt, settings, supervisor, plan, navigation, leg, mode, poi
     elif docking.stage == APPROACH:
         mode = approach_near(cycle, dt, settings, supervisor, mode, view, docking)
     elif docking.stage == BACK:
-        mode = on_way_back(cycle, dt, settings, plan, navigation, view, docking)
+        mode = on_way_back(cycle, dt, settings, plan, navigation, point, view, docking)
     else:
         mode = HOVER
     observation_point(navigation.target, docking.heading, plan.standoff, point)

@@ -10,6 +10,7 @@ from bumpless.contract.enums import (
     OFF_LINE,
     OVERSHOT,
 )
+from bumpless.control.docking.entry import nearer_side
 from bumpless.jit import jit
 
 _SHORT_BACK = 3.0  # m, way back for what a little room mends, and m more per m of offset:
@@ -31,10 +32,10 @@ def begin_approach(cycle, docking):
 
 
 @jit
-def begin_entry(cycle, view, docking):
-    """Fly round to the beginning of the approach line; the turn goes to the nearer side."""
+def begin_entry(cycle, settings, eta, point, docking):
+    """Fly round to the beginning of the approach line; point (3,): the observation point, NED."""
     enter(cycle, ENTRY, docking)
-    docking.side = -1 if view.aside > 0.0 else 1
+    docking.side = nearer_side(settings, eta, point, docking.heading)
 
 
 @jit
