@@ -55,9 +55,9 @@ def merged(*parts: Overrides) -> dict[str, dict[str, Any]]:
     return out
 
 
-# Shared by all besides the study's gains: a target once seen is remembered for 30 s, and hover ends far enough
-# vehicle does not chatter between R and H. The allocator flies the published map, alpha = delta: what fins
-# do by themselves in drift steadies the hull.
+# Shared by all besides the study's gains: a target once seen is remembered for 30 s, and hover ends far
+# enough out that a drifting vehicle does not chatter between R and H. The allocator flies the published map,
+# alpha = delta: what fins do by themselves in drift steadies the hull.
 SHARED: Overrides = merged(
     STUDY_GAINS,
     {

@@ -92,7 +92,7 @@ class Target:
     approach: Annotated[
         Literal["heading", "into_current"],
         Choice("How the approach heading is chosen",
-               help="heading: heading_deg within its tolerance; into_current: from any side, into the current."),
+               help="heading: heading_deg within its tolerance; into_current: from any side."),
     ] = "heading"  # fmt: skip
 
     @property
