@@ -13,8 +13,8 @@ def check(mission: Mission | str | Path, vehicle: Vehicle | str | None = None) -
 
     mission: or its file or name, see `load_mission`. vehicle: or its id or file; the mission's own when
     None.
-    Nothing is flown: speeds, depths, times, what the camera sees on the way, and whether station can be held in
-    the mission's current follow from the vehicle's model and the autopilot's rules.
+    Nothing is flown: speeds, depths, times, what the camera sees on the way, and whether station can be
+    held in the mission's current follow from the vehicle's model and the autopilot's rules.
 
     Raises MissionError, VehicleError or ParameterError with every problem.
     """

@@ -73,7 +73,7 @@ def fault_of(dt, settings, view, docking):
         return OVERSHOT
     if abs(view.aside) > cone(settings, near):
         return OFF_LINE
-    if near < settings.gate_distance and view.off > _NEAR_OFF or view.off > _FAR_OFF:
+    if (near < settings.gate_distance and view.off > _NEAR_OFF) or view.off > _FAR_OFF:
         return OFF_HEADING
     if near < settings.gate_distance - 1.0 and view.deep > 3.0 * settings.gate_depth:
         return OFF_DEPTH

@@ -59,7 +59,7 @@ def follow_current(dt, settings, plan, current, left, docking):
     """Turn docking.heading with the estimated current, slowly where the line is being flown."""
     approaching = docking.stage == APPROACH
     if plan.heading_tolerance > 0.0 and (
-        docking.stage == ENTRY or approaching and left > settings.turn_until
+        docking.stage == ENTRY or (approaching and left > settings.turn_until)
     ):
         time = settings.turn_time if approaching else 0.5 * settings.turn_time
         known = min(max((hypot(current[0], current[1]) - _KNOWN) / _KNOWN, 0.0), 1.0)
