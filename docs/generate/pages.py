@@ -2,9 +2,10 @@
 
 from pathlib import Path
 
-from docs.generate import cli, contract, equations, python_face, rest, settings
+from docs.generate import campaigns, cli, contract, equations, python_face, rest, settings
 
 MADE = {
+    "reference/campaign.md": campaigns.page,
     "reference/cli.md": cli.page,
     "reference/contract.md": contract.page,
     "reference/python.md": python_face.page,

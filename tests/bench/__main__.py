@@ -1,6 +1,7 @@
 """Every speed that this project promises, measured in one run: `python -m tests.bench`.
 
-    python -m tests.bench [--rounds 5] [--peer-path CHECKOUT] [--live MINUTES] [--json FILE]
+    python -m tests.bench [--rounds 5] [--peer-path CHECKOUT] [--live MINUTES] [--campaign 10000]
+        [--json FILE]
     python -m tests.bench --check        # compare with the committed figures (see `compare`), write nothing
     python -m tests.bench --commit       # write the committed figures and the table of docs/performance.md
 
@@ -30,6 +31,10 @@ def measured(options: argparse.Namespace) -> Iterator[Figure]:
     yield from loop.one_step(options.rounds, options.peer_path)
     yield from loop.envelope(vehicle, max(options.rounds, 15))
     yield from start.figures(min(options.rounds, 5))
+    if options.campaign > 0:
+        from tests.bench import campaign
+
+        yield from campaign.figures(options.campaign)
     if options.live > 0.0:
         from tests.bench import live_row
 
@@ -53,6 +58,9 @@ def main() -> int:
     parser.add_argument("--peer-path", type=Path, help="checkout of PythonVehicleSimulator")
     parser.add_argument(
         "--live", type=float, default=0.0, help="minutes of a live node beside a loaded server"
+    )
+    parser.add_argument(
+        "--campaign", type=int, default=0, help="missions of a campaign, on two workers and on one: 10000"
     )
     parser.add_argument("--check", action="store_true", help="compare with the committed figures")
     parser.add_argument("--commit", action="store_true", help="make these the committed figures")

@@ -9,8 +9,9 @@ import numpy as np
 from bumpless.config.vehicle import Vehicle
 from bumpless.control.allocation.qp import make_handle
 from bumpless.control.allocation.record import ALLOCATION_WORK, SOLUTION
-from bumpless.control.allocation.wrench_map import to_x, wrench_map
+from bumpless.control.allocation.wrench_map import wrench_map
 from bumpless.control.settings import SETTINGS
+from bumpless.physics.actuators import to_x
 from bumpless.sim.settings import fill_settings
 from bumpless.sim.twin import one, parameters_for
 from tests.bench import stream

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from bumpless.physics.actuators import FIN
+from bumpless.physics.actuators import FIN, THRUSTER
 
 STALL_WIDTH = 0.12
 
@@ -23,6 +23,8 @@ def numpy_operations() -> SimpleNamespace:
 def parts(model: np.void) -> SimpleNamespace:
     """The vehicle's constants per actuator, (n,) or (n, 3), and who is a fin."""
     n = int(model["n_u"])
+    if not np.isin(model["kind"][:n], (FIN, THRUSTER)).all():
+        raise ValueError("the peers know fins and fixed thrusters alone")
     names = ("position", "direction", "command_max", "T_nn", "T_nn_reverse", "T_nv", "Q_nn", "Q_nv",
              "fin_area", "C_La", "C_D0", "C_D2", "stall_angle", "reverse_lift")  # fmt: skip
     constants = {name: np.array(model[name][:n]) for name in names}

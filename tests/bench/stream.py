@@ -11,9 +11,10 @@ from bumpless.contract.enums import REFUSED, RUNNING
 from bumpless.control.allocation.mdca import allocate_mdca, allocation_cost, normal_equations
 from bumpless.control.allocation.qp_active_set import solve_active_set
 from bumpless.control.allocation.record import PROBLEM
-from bumpless.control.allocation.wrench_map import to_x, wrench_map
+from bumpless.control.allocation.wrench_map import wrench_map
 from bumpless.jit import allocating, jit
 from bumpless.jit.clock import monotonic
+from bumpless.physics.actuators import to_x
 from bumpless.sim.twin import Twin
 from tests.bench.cpu_clock import thread_time
 

@@ -11,7 +11,8 @@ from bumpless.control.allocation.bounds import command_bounds
 from bumpless.control.allocation.mdca import allocate_mdca, allocation_cost
 from bumpless.control.allocation.qp import make_handle
 from bumpless.control.allocation.record import ALLOCATION_SETTINGS, ALLOCATION_WORK, PROBLEM, SOLUTION
-from bumpless.control.allocation.wrench_map import to_command, to_x, wrench_map
+from bumpless.control.allocation.wrench_map import wrench_map
+from bumpless.physics.actuators import to_command, to_x
 
 N = MAX_ACTUATORS
 unit = st.floats(-1.0, 1.0)

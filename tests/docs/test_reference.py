@@ -6,6 +6,9 @@ from typing import get_type_hints
 
 import pytest
 
+from bumpless.campaign.declaration import Campaign
+from bumpless.campaign.quantities import QUANTITIES
+from bumpless.config.declare import fields_of
 from bumpless.config.mission import mission_json_schema
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract import keys
@@ -90,4 +93,13 @@ def test_every_field_of_a_mission_is_told_with_its_meaning() -> None:
     """Protects: a field of a mission file has a range and a sentence in the reference."""
     told = rows(text("reference/mission.md"))
     for name, schema in mission_json_schema()["properties"].items():
-        assert told[f"`{name}`"][3] == schema["description"]
+        assert told[f"`{name}`"][6].startswith(schema["description"].split(",")[0])
+
+
+def test_every_field_and_quantity_of_a_campaign_is_told_with_its_meaning() -> None:
+    """Protects: what a campaign can declare and draw can be looked up, in the words of the code."""
+    told = rows(text("reference/campaign.md"))
+    for key, field in fields_of(Campaign).items():
+        assert told[f"`{key}`"][6].startswith(field.note.label)
+    for name, quantity in QUANTITIES.items():
+        assert told[f"`{name}`"][-1] == quantity.about

@@ -61,24 +61,24 @@ def test_every_field_is_in_the_units_of_the_contract(vehicle: Vehicle, parameter
     assert truth.actuator_wrench.z_n == row["tau"][2]
     assert truth.target_position_ned_m.y == row["target_true"][1]
     assert target.position_ned_m.y == row["target"][1]
-    assert list(truth.effectiveness) == row["effectiveness"][: len(vehicle.actuators)].tolist()
+    assert list(truth.effectiveness) == row["effectiveness"][: len(vehicle.commands)].tolist()
     assert told["tlm/allocation"].solve_time_us == pytest.approx(row["solve_time"] * 1e6)
     per_si = {"deg": 180.0 / math.pi, "rpm": 60.0}
-    for i, (said, actuator) in enumerate(zip(actuators.actuators, vehicle.actuators, strict=True)):
-        assert (said.name, said.unit) == (actuator.name, actuator.unit)
-        assert said.command == pytest.approx(row["u"][i] * per_si[actuator.unit])
+    for i, (said, command) in enumerate(zip(actuators.actuators, vehicle.commands, strict=True)):
+        assert (said.name, said.unit) == (command.name, command.unit)
+        assert said.command == pytest.approx(row["u"][i] * per_si[command.unit])
         assert said.effectiveness == row["effectiveness_hat"][i]
         assert said.fault_evidence == row["fault_evidence"][i]
         assert said.faulty == bool(int(row["faults"]) >> i & 1)
-        assert said.increment_bound == pytest.approx(row["du_max"][i] * per_si[actuator.unit])
-        assert (said.amplitude_lower, said.amplitude_upper) == (actuator.command_min, actuator.command_max)
+        assert said.increment_bound == pytest.approx(row["du_max"][i] * per_si[command.unit])
+        assert (said.amplitude_lower, said.amplitude_upper) == (command.lower, command.upper)
 
 
 def test_bounds_show_which_limit_holds_an_actuator(vehicle: Vehicle, parameters: Parameters) -> None:
     """At an amplitude bound it is saturated, at an increment bound rate limited, between them neither."""
     made = np.zeros(1, LOG)
     row = made[0]
-    limit = [a.command_max * (math.pi / 180 if a.unit == "deg" else 1 / 60) for a in vehicle.actuators]
+    limit = [c.upper * (math.pi / 180 if c.unit == "deg" else 1 / 60) for c in vehicle.commands]
     row["u_lower"][: len(limit)] = [-0.5 * x for x in limit]
     row["u_upper"][: len(limit)] = [limit[0], *(0.5 * x for x in limit[1:])]
     row["u"][:3] = limit[0], 0.5 * limit[1], 0.1 * limit[2]

@@ -7,7 +7,8 @@ from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
 from bumpless.config.capacity import MAX_ACTUATORS
-from bumpless.physics.actuators import fin_force, total_wrench
+from bumpless.physics.actuators import total_wrench
+from bumpless.physics.actuators.fin import fin_force
 from bumpless.physics.dynamics import coriolis_force, damping_force, restoring_force
 from bumpless.physics.faults import FAULTS
 from bumpless.physics.frames import body_to_ned, euler_rates, ned_to_body

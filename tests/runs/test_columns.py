@@ -30,7 +30,7 @@ def same(one: Any, other: Any, path: str = "") -> None:
 def test_metrics_from_the_file_are_the_simulations(flight: Flight) -> None:
     """One definition, two ways to the numbers: memory, and the bus's messages on a disk."""
     result = flight.result
-    columns = Columns.from_log(result.log, len(result.vehicle.actuators))
+    columns = Columns.from_log(result.log, len(result.vehicle.commands))
     direct = metrics_of(columns, result.vehicle, flight.run.info.run_id)
     stored = open_run(flight.path).metrics
     assert direct.cycles == len(result.log)

@@ -377,7 +377,7 @@ export interface paths {
         };
         /**
          * Vehicle
-         * @description The vehicle as it describes itself: actuators in its file's order with their bounds.
+         * @description The vehicle as it describes itself: the commands of its actuators in the order of u.
          */
         get: operations["vehicle_api_vehicle_get"];
         put?: never;
@@ -394,7 +394,7 @@ export interface components {
     schemas: {
         /**
          * ActuatorAnswer
-         * @description One actuator with its amplitude bounds, in its unit.
+         * @description One command of an actuator of this kind, with its amplitude bounds in its unit.
          */
         ActuatorAnswer: {
             /** Kind */
@@ -993,6 +993,18 @@ export interface components {
             vehicle: string;
         };
         /**
+         * Schema
+         * @description A JSON Schema (2020-12) with whatever it says beside these.
+         */
+        Schema: {
+            /** Title */
+            title: string;
+            /** Type */
+            type: string;
+        } & {
+            [key: string]: unknown;
+        };
+        /**
          * SeenVehicle
          * @description Who speaks on the bus, without its file.
          */
@@ -1323,13 +1335,13 @@ export interface operations {
                     "application/json": components["schemas"]["FieldEntry"][];
                 };
             };
-            /** @description Validation Error */
-            422: {
+            /** @description Refused, with the reason */
+            "4XX": {
                 headers: {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["HTTPValidationError"];
+                    "application/json": components["schemas"]["Refused"];
                 };
             };
         };
@@ -1927,18 +1939,16 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": {
-                        [key: string]: unknown;
-                    };
+                    "application/json": components["schemas"]["Schema"];
                 };
             };
-            /** @description Validation Error */
-            422: {
+            /** @description Refused, with the reason */
+            "4XX": {
                 headers: {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["HTTPValidationError"];
+                    "application/json": components["schemas"]["Refused"];
                 };
             };
         };

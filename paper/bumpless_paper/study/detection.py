@@ -29,7 +29,7 @@ class Detection:
 
 def detection_of(result: Result) -> Detection:
     """Read a flight's log, whose `effectiveness` is the truth and `effectiveness_hat` the estimate."""
-    log, n = result.log, len(result.vehicle.actuators)
+    log, n = result.log, len(result.vehicle.commands)
     time, true, said = log["time"], log["effectiveness"][:, :n], log["effectiveness_hat"][:, :n]
     faults = (log["faults"][:, None] >> np.arange(n)) & 1 == 1
     raised = faults & ~np.vstack([np.zeros(n, bool), faults[:-1]])
@@ -42,7 +42,8 @@ def detection_of(result: Result) -> Detection:
     command = log["u_feedback"][start:, i] / np.abs(log["u_upper"][:, i]).max()
     after = np.flatnonzero(raised[start:].any(axis=1))
     base = (_hours(time[start]), false, float(time[start]), float(true[-1, i]))
-    used = float(np.mean(command**2 if result.vehicle.actuators[i].kind == "thruster" else np.abs(command)))
+    turns = result.vehicle.commands[i].unit == "rpm"  # a screw's thrust goes with the square of its speed
+    used = float(np.mean(command**2 if turns else np.abs(command)))
     if not len(after):
         return Detection(*base, np.nan, None, np.nan, used)
     alarm = start + int(after[0])

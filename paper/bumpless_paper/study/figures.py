@@ -57,13 +57,13 @@ class Bounds:
 
 def bounds_of(result: Result) -> Bounds:
     """Bounds of the vehicle that flew."""
-    actuators = result.vehicle.actuators
-    edge = np.array([EDGE_PER_SI[a.unit] for a in actuators])
+    commands = result.vehicle.commands
+    edge = np.array([EDGE_PER_SI[c.unit] for c in commands])
     return Bounds(
-        np.array([a.command_min for a in actuators]) / edge,
-        np.array([a.command_max for a in actuators]) / edge,
+        np.array([c.lower for c in commands]) / edge,
+        np.array([c.upper for c in commands]) / edge,
         edge,
-        np.array([a.kind == "fin" for a in actuators]),
+        np.isin(np.arange(len(commands)), result.vehicle.slots("fin")),
         np.array([name in result.vehicle.controllable for name in WRENCH], float),
     )
 

@@ -1,12 +1,12 @@
-"""Flying many scenarios on many plants: one picklable job, one pool of spawned workers."""
+"""Flying many scenarios on many plants: one picklable job, flown by the engine of campaigns."""
 
-import multiprocessing
 import os
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from functools import cache
 from typing import Any
 
+from bumpless.campaign.engine import in_order
 from bumpless.config.mission import Mission
 from bumpless.config.parameters import Parameters
 from bumpless.config.vehicle import Vehicle, load_vehicle
@@ -77,19 +77,4 @@ def fly_all(
     progress(done, total) is called as answers come in.
     """
     todo = list(jobs)
-    count = min(workers or os.cpu_count() or 1, len(todo))
-    out: list[Any] = []
-
-    def collect(answers: Iterator[Any]) -> list[Any]:
-        for answer in answers:
-            out.append(answer)
-            if progress:
-                progress(len(out), len(todo))
-        return out
-
-    if count <= 1:
-        return collect(map(work, todo))
-    if todo:
-        work(todo[0])  # compile once, before the workers all do
-    with multiprocessing.get_context("spawn").Pool(count) as pool:
-        return collect(pool.imap(work, todo, chunksize=max(1, min(8, len(todo) // (4 * count)))))
+    return in_order(todo, work, min(workers or os.cpu_count() or 1, len(todo)), progress)

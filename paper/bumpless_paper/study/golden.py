@@ -31,7 +31,7 @@ KEPT = (
 def summary_of(result: Result) -> dict[str, Any]:
     """Figures, where the vehicle ended, and the mean magnitude of each command, to six digits."""
     figures = figures_of(result, FAULT_TIME_S)
-    log, n = result.log, len(result.vehicle.actuators)
+    log, n = result.log, len(result.vehicle.commands)
     return {
         "figures": {name: _six(figures[name]) for name in KEPT},
         "end": {

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from bumpless.physics.actuators import FIN
+from bumpless.campaign.plant import Alteration
 
 
 @dataclass(frozen=True)
@@ -81,18 +81,16 @@ class Plant:
             faults["effectiveness"][0] = self.fault_effectiveness
         if faults["n"] > 0 and self.fault_actuator is not None:
             faults["actuator"][0] = self.fault_actuator
-        model["r_b"][0] += self.trim_x
-        model["r_b"][1] += self.trim_y
-        model["buoyancy"] += self.net_buoyancy
-        for name in ("D_linear", "D_quadratic", "D_lift"):
-            axial = model[name][0, 0]
-            model[name] *= self.drag_cross
-            model[name][0, 0] = axial * self.drag_axial
-        model["time_constant"] *= self.lag
-        fin = model["kind"] == FIN
-        for name in ("T_nn", "T_nn_reverse", "T_nv"):
-            model[name] *= self.thrust
-        model["C_La"][fin] *= self.fin_lift
+        Alteration(
+            net_buoyancy_n=self.net_buoyancy,
+            trim_x_m=self.trim_x,
+            trim_y_m=self.trim_y,
+            drag_axial=self.drag_axial,
+            drag_cross=self.drag_cross,
+            lag=self.lag,
+            fin_lift=self.fin_lift,
+            thrust=self.thrust,
+        )(model, truth)
 
     def _start_in_trim(self, truth: Any) -> None:
         """Start along the first leg, the bow already turned into the current that crosses it."""

@@ -43,16 +43,12 @@ def about_mean(values: Array) -> float:
     return rms(values - values.mean())
 
 
-def _kind(run: Result, kind: str) -> list[int]:
-    return [i for i, actuator in enumerate(run.vehicle.actuators) if actuator.kind == kind]
-
-
 def per_mode(run: Result) -> dict[str, list[float]]:
     """Table A6: mode -> duration, N, depth RMS and peak-to-peak, attitude RMS, speed, commands' RMS."""
     out = {}
     for mode, stay in sorted(segments(samples(run)).items()):
         angles = DEG * np.unwrap(stay["eta_hat"][:, 3:6], axis=0)
-        fins = DEG * stay["u"][:, _kind(run, "fin")]
+        fins = DEG * stay["u"][:, run.vehicle.slots("fin")]
         out[MODE_LETTERS[mode]] = [
             float(stay["time"][-1] - stay["time"][0]) + 1.0 / RATE_HZ,
             float(len(stay)),
@@ -60,7 +56,7 @@ def per_mode(run: Result) -> dict[str, list[float]]:
             float(np.ptp(stay["eta_hat"][:, 2])),
             *(about_mean(angles[:, k]) for k in range(3)),
             float(stay["nu_hat"][:, 0].mean()),
-            *(rms(RPM * stay["u"][:, i]) for i in _kind(run, "thruster")),
+            *(rms(RPM * stay["u"][:, i]) for i in run.vehicle.slots("thruster")),
             rms(fins),
         ]
     return out
@@ -73,8 +69,8 @@ def steps(run: Result, before: int, after: int) -> list[float]:
     if len(at) == 0:
         return [float("nan")] * 3
     near = rows[np.abs(rows["time"] - run.log["time"][at[-1]]) <= WINDOW_S + 0.5 / RATE_HZ]
-    screw = RPM * near["u"][:, _kind(run, "thruster")[0]]
-    fins = DEG * near["u"][:, _kind(run, "fin")]
+    screw = RPM * near["u"][:, run.vehicle.slots("thruster")[0]]
+    fins = DEG * near["u"][:, run.vehicle.slots("fin")]
     roll = DEG * near["eta_hat"][:, 3]
     return [float(np.abs(np.diff(values, axis=0)).max()) for values in (screw, fins, roll)]
 

@@ -2,7 +2,7 @@
 
 import typer
 
-from bumpless_server.cli import envelope, metrics, repair, reproduce, run, validate, vehicle
+from bumpless_server.cli import campaign, envelope, metrics, repair, reproduce, run, tune, validate, vehicle
 from bumpless_server.cli.serve_command import serve
 
 app = typer.Typer(
@@ -28,6 +28,8 @@ app.command()(serve)
 app.command()(vehicle.vehicle)
 app.command()(run.run)
 app.command()(validate.validate)
+app.command()(campaign.campaign)
+app.command()(tune.tune)
 app.command()(metrics.metrics)
 app.command()(envelope.envelope)
 app.command()(repair.repair)

@@ -16,10 +16,10 @@ class Progress:
         self._compiled = 0
         self._recorder: Any = None
 
-    def update(self, share: float) -> None:
-        """Show how much is done."""
+    def update(self, share: float, more: str = "") -> None:
+        """Show how much is done, and what else there is to say of it."""
         full = round(WIDTH * min(max(share, 0.0), 1.0))
-        self._show(f"{self.label} [{'#' * full}{'-' * (WIDTH - full)}] {share:4.0%}")
+        self._show(f"{self.label} [{'#' * full}{'-' * (WIDTH - full)}] {share:4.0%} {more}".rstrip())
 
     def _show(self, line: str) -> None:
         if self.live and line != self.shown:

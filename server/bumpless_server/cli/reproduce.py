@@ -31,7 +31,7 @@ def reproduce(
     """
     from bumpless_server.cli.extras import need
 
-    need("paper", "scipy")
+    need("paper", "scipy", "distributed")
     from bumpless_paper.report.parts import PARTS, run_part, wanted_parts
     from bumpless_server.cli.progress import Progress
 

@@ -3,6 +3,7 @@
 import json
 import time
 from dataclasses import asdict, replace
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -10,6 +11,7 @@ import typer
 
 if TYPE_CHECKING:
     from bumpless import Problem, Run
+    from bumpless.campaign.replay import Replay
     from bumpless.metrics import Columns
 
 REFUSED, BROKEN = 1, 3
@@ -27,6 +29,9 @@ def run(
         list[str] | None,
         typer.Option("--set", help="Change a parameter: hover.lambda=0.01, bumpless.ramp=false."),
     ] = None,
+    draw: Annotated[
+        int | None, typer.Option(min=0, help="The file is a campaign: fly this number of it.")
+    ] = None,
 ) -> None:
     """Fly a mission as fast as the machine can.
 
@@ -42,17 +47,21 @@ def run(
     if out is not None:
         need("log", "mcap", "foxglove_schemas_protobuf")
     tables = _changes(changes or [])
+    if draw is not None and vehicle is not None:
+        raise typer.BadParameter("a campaign says which vehicle flies", param_hint="--vehicle")
     try:
-        who = None if vehicle is None else bumpless.load_vehicle(vehicle)
-        flown = bumpless.load_mission(mission, who)
+        if draw is None:
+            who = None if vehicle is None else bumpless.load_vehicle(vehicle)
+            flown, numbers, alter = bumpless.load_mission(mission, who), tables, None
+        else:
+            flown, who, numbers, alter = _drawn(mission, draw, tables)
+        fly = partial(bumpless.fly, vehicle=who, seed=seed, parameters=numbers, alter=alter)
         with Progress(flown.name) as progress:
             begin = time.perf_counter()
             progress.watch_compiler()
-            bumpless.fly(
-                replace(flown, duration_s=1.0), who, seed=seed, parameters=tables
-            )  # loads what is compiled
+            fly(replace(flown, duration_s=1.0))  # loads what is compiled
             ready = time.perf_counter()
-            result = bumpless.fly(flown, who, seed=seed, parameters=tables, progress=progress.update)
+            result = fly(flown, progress=progress.update)
             wall_s = time.perf_counter() - ready
     except bumpless.ProblemsError as error:
         typer.echo("\n".join(_named(problem) for problem in error.problems), err=True)
@@ -64,6 +73,19 @@ def run(
     if not _finite(result.columns):
         typer.echo("the simulation broke down: a state is not finite", err=True)
         raise typer.Exit(BROKEN)
+
+
+def _drawn(path: Path, number: int, changes: dict[str, dict[str, Any]]) -> "Replay":
+    """A campaign's flight, with what is true of its plant; raises ProblemsError."""
+    from bumpless.campaign.read import load_campaign
+    from bumpless.campaign.replay import replayed
+    from bumpless.config.parameters import ParameterError
+
+    prepared = load_campaign(path)
+    try:
+        return replayed(prepared.with_parameters(changes), number)
+    except ParameterError as error:
+        raise ParameterError([replace(problem, file="--set") for problem in error.problems]) from error
 
 
 def _save(result: "Run", out: Path) -> None:

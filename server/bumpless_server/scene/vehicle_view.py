@@ -2,10 +2,13 @@
 
 from typing import Any
 
+import numpy as np
+
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless_server.scene import palette, pose
-from bumpless_server.scene.model import Part, joint_angle, parts_of, spin_step
+from bumpless_server.scene.model import parts_of
 from bumpless_server.scene.palette import Rgb
+from bumpless_server.scene.part import Part, joint_angle, spin_step
 
 ROOT = "/view/vehicle"
 COLOURS: dict[str, Rgb] = {
@@ -26,14 +29,15 @@ class VehicleView:
         self._scene = scene
         self.parts: tuple[Part, ...] = parts_of(vehicle, 20 if light else 40)
         self.frame = scene.add_frame(ROOT, show_axes=False)
+        at = {"": (0.0, 0.0, 0.0)} | {part.name: part.position for part in self.parts}
         self.nodes = {
             part.name: scene.add_mesh_simple(
-                f"{ROOT}/{part.name}",
+                "/".join((ROOT, *filter(None, (part.carrier, part.name)))),
                 *part.mesh,
                 color=COLOURS[part.role],
                 side="double",
                 flat_shading=part.role in ("frame", "fin", "propeller"),
-                position=part.position,
+                position=np.subtract(part.position, at[part.carrier]),
                 cast_shadow=False,
                 receive_shadow=False,
             )
@@ -52,15 +56,15 @@ class VehicleView:
         self.frame.wxyz = pose.of_attitude(attitude)
 
     def move_actuators(self, actuators: pb.Actuators) -> None:
-        """Fins to their measured deflection, screws onward by their measured speed."""
+        """Fins and pods to their measured angle, screws onward by their measured speed."""
         now = actuators.stamp.time_ns * 1e-9
         dt = 0.0 if self._time_s is None else min(max(now - self._time_s, 0.0), LONGEST_STEP_S)
         self._time_s = now
         for part in self.parts:
-            if part.axis is None or part.actuator >= len(actuators.actuators):
+            if part.axis is None or part.command >= len(actuators.actuators):
                 continue
-            feedback = actuators.actuators[part.actuator].feedback
-            if part.role == "fin":
+            feedback = actuators.actuators[part.command].feedback
+            if part.motion == "turn":
                 angle = joint_angle(feedback)
             else:
                 angle = self._angle[part.name] + spin_step(feedback, dt)

@@ -97,7 +97,7 @@ def test_a_model_is_frozen_checked_and_a_dataclass() -> None:
         ("rates_degps", [0, 0], "rates_degps", "must be a list of 3 numbers in deg/s: [p, q, r]"),
         ("rates_degps", 3, "rates_degps", "must be a list of 3 numbers in deg/s: [p, q, r]"),
         ("rates_degps", [0, -1, 0], "rates_degps[1]", "must be >= 0 in deg/s"),
-        ("shares", [0.1] * 5, "shares", "must be a list of numbers, one per actuator"),
+        ("shares", [0.1] * 5, "shares", "must be a list of numbers, one per command"),
         ("shares", [0.1, 2], "shares[1]", "must be between 0 and 1"),
         ("law", "third", "law", "must be one of first, second"),
         ("law", ["first"], "law", "must be one of first, second"),

@@ -80,7 +80,7 @@ def test_rows_have_one_number_per_actuator(ts100: Vehicle, defaults: Parameters)
     short = replace(defaults, hover=replace(defaults.hover, r_diagonal=(1.0, 1.0)))
     (problem,) = check(short, ts100)
     assert problem.field == "hover.r_diagonal"
-    assert "one per actuator" in problem.rule
+    assert "one per command" in problem.rule
 
 
 @given(st.permutations([0.5, 1.0, 4.0, 6.0, 8.0]))
@@ -127,7 +127,7 @@ def test_overrides_change_what_they_name_and_nothing_else(defaults: Parameters) 
         ({"hover": {"kp": [1, "a"]}}, "hover.kp", "must be a list of 6 numbers"),
         ({"hover": {"kp": [1, 2, "a", 4, 5, 6]}}, "hover.kp[2]", "must be a number"),
         ({"hover": {"kp": "abcdef"}}, "hover.kp", "must be a list of 6 numbers"),
-        ({"hover": {"r_diagonal": []}}, "hover.r_diagonal", "must be a list of numbers, one per actuator"),
+        ({"hover": {"r_diagonal": []}}, "hover.r_diagonal", "must be a list of numbers, one per command"),
         ({"bumpless": {"ramp": 1}}, "bumpless.ramp", "true or false"),
         ({"allocation": {"solver": "magic"}}, "allocation.solver", "must be one of osqp"),
     ],

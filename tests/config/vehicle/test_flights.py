@@ -1,4 +1,4 @@
-"""All three vehicles fly a docking mission with the same code: a vehicle is data."""
+"""All vehicles fly a docking mission with the same code: a vehicle is data."""
 
 from collections.abc import Callable
 from functools import cache
@@ -14,7 +14,12 @@ from bumpless.sim.twin import Result, Twin, simulate
 
 ROOT = Path(__file__).parents[3]
 F, R, H = FORWARD, REVERSE, HOVER
-MISSIONS = {"ts100": "docking", "bluerov2_heavy": "rov_docking", "remus100": "remus_docking"}
+MISSIONS = {
+    "ts100": "docking",
+    "bluerov2_heavy": "rov_docking",
+    "remus100": "remus_docking",
+    "twinpod": "azimuth_docking",
+}
 
 
 def mission(vehicle: str) -> Mission:
@@ -40,7 +45,7 @@ def test_every_vehicle_flies_forward_reverse_hover(vehicle: str, seed: int) -> N
     assert np.isfinite(log["eta"]).all()
 
 
-@pytest.mark.parametrize("vehicle", ["ts100", "bluerov2_heavy"])
+@pytest.mark.parametrize("vehicle", ["ts100", "bluerov2_heavy", "twinpod"])
 def test_vehicles_that_can_hover_end_at_the_observation_point(vehicle: str) -> None:
     """Protects: station keeping at rest, within a hand's breadth of range and depth."""
     log = flight(vehicle).log

@@ -24,9 +24,9 @@ def test_ts100_has_the_papers_actuators_in_the_papers_order() -> None:
         "n_v2",
     ]
     assert [a.kind for a in vehicle.actuators] == ["fin"] * 4 + ["thruster"] * 3
-    assert [a.unit for a in vehicle.actuators] == ["deg"] * 4 + ["rpm"] * 3
-    assert [a.command_max for a in vehicle.actuators] == [15.0] * 4 + [200.0] * 3
-    assert [a.command_min for a in vehicle.actuators] == [-15.0] * 4 + [-200.0] * 3
+    assert [c.unit for c in vehicle.commands] == ["deg"] * 4 + ["rpm"] * 3
+    assert [c.upper for c in vehicle.commands] == [15.0] * 4 + [200.0] * 3
+    assert [c.lower for c in vehicle.commands] == [-15.0] * 4 + [-200.0] * 3
     assert vehicle.controllable == ("X", "Z", "K", "M", "N")
 
 

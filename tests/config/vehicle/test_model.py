@@ -5,7 +5,7 @@ import pytest
 
 from bumpless.config.capacity import MAX_ACTUATORS
 from bumpless.config.vehicle import load_vehicle, vehicle_names
-from bumpless.physics.actuators import FIN, THRUSTER, actuator_wrench
+from bumpless.physics.actuators import FIN, actuator_wrench, total_wrench
 from bumpless.physics.model import build_model
 
 NAMES = vehicle_names()
@@ -16,7 +16,9 @@ M_PATTERN = {(0, 0), (0, 2), (0, 4), (1, 1), (1, 3), (1, 5), (2, 2), (2, 4), (3,
 def wrench(model: np.record, i: int, command: float, surge: float) -> np.ndarray:
     """Wrench (6,) of one actuator in steady flow along x."""
     out = np.zeros(6)
-    actuator_wrench(model, i, command, np.array([surge, 0, 0, 0, 0, 0.0]), out)
+    u = np.zeros(MAX_ACTUATORS)
+    u[i] = command
+    actuator_wrench(model, i, u, np.array([surge, 0, 0, 0, 0, 0.0]), out)
     return out
 
 
@@ -36,27 +38,29 @@ def test_mass_matrix_is_symmetric_positive_definite_and_sparse_as_published(name
 @pytest.mark.parametrize("name", NAMES)
 def test_unused_entries_are_zero_and_used_ones_complete(name: str) -> None:
     """One compilation serves every vehicle because the rest of each array is zero."""
-    model = build_model(load_vehicle(name))
+    vehicle = load_vehicle(name)
+    model = build_model(vehicle)
     n = int(model["n_u"])
+    assert n == len(vehicle.commands)
     for field in ("command_max", "command_rate", "time_constant"):
         assert (model[field][:n] > 0).all()
         assert (model[field][n:] == 0).all()
     assert np.allclose(np.linalg.norm(model["direction"][:n], axis=1), 1.0)
     for i in range(n):
         assert (model["fin_area"][i] > 0) == (model["kind"][i] == FIN)
-        assert (model["T_nn"][i] > 0) == (model["kind"][i] == THRUSTER)
+        assert (model["T_nn"][i] > 0) == (vehicle.commands[i].unit == "rpm")
     assert n <= MAX_ACTUATORS
 
 
 @pytest.mark.parametrize("name", NAMES)
 def test_actuators_serve_exactly_the_components_the_file_claims(name: str) -> None:
-    """The wrenches that unit commands give at 0.5 m/s span the controllable components."""
+    """The wrenches that commands give at 0.5 m/s span the controllable components."""
     model = build_model(load_vehicle(name))
-    columns = [
-        wrench(model, i, model["command_max"][i], 0.5) - wrench(model, i, 0.0, 0.5)
-        for i in range(model["n_u"])
-    ]
-    B = np.array(columns).T[model["controllable"] > 0]
+    rng, wrenches = np.random.default_rng(1), np.zeros((60, 6))
+    for row in wrenches:
+        u = rng.uniform(model["command_min"], model["command_max"])
+        total_wrench(model, u, np.ones(MAX_ACTUATORS), np.array([0.5, 0, 0, 0, 0, 0.0]), row)
+    B = (wrenches - wrenches.mean(axis=0)).T[model["controllable"] > 0]
     assert np.linalg.matrix_rank(B, tol=1e-6) == B.shape[0]
 
 

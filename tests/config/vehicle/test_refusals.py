@@ -199,10 +199,10 @@ def test_a_control_file_that_is_not_toml_is_named(tmp_path: Path) -> None:
 def test_an_actuator_of_no_known_kind_is_refused() -> None:
     """Protects: `kind` chooses the fields; without it nothing else is guessed."""
     (unknown,) = refused('name = "n_p"\nkind = "thruster"', 'name = "n_p"\nkind = "sail"')
-    assert (unknown.field, unknown.rule) == ("actuators[4].kind", "must be one of fin, thruster")
+    assert (unknown.field, unknown.rule) == ("actuators[4].kind", "must be one of fin, thruster, azimuth")
     (absent,) = refused('name = "n_p"\nkind = "thruster"', 'name = "n_p"')
     assert (absent.field, absent.value, absent.rule) == (
         "actuators[4].kind",
         None,
-        "is missing: one of fin, thruster",
+        "is missing: one of fin, thruster, azimuth",
     )

@@ -6,8 +6,8 @@ import pytest
 from bumpless.config.vehicle import load_vehicle
 from bumpless.control.allocation.easing import missed_wrench
 from bumpless.control.allocation.mdca import increment_prices
-from bumpless.control.allocation.wrench_map import thrust_scale, to_command, to_x
-from bumpless.physics.actuators import FIN
+from bumpless.physics.actuators import FIN, to_command, to_x
+from bumpless.physics.actuators.thruster import thrust_scale
 from bumpless.physics.model import build_model
 
 

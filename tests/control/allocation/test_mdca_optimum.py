@@ -13,9 +13,11 @@ from bumpless.control.allocation.curvature import descent_curvature, residual_cu
 from bumpless.control.allocation.mdca import allocate_mdca
 from bumpless.control.allocation.qp import make_handle
 from bumpless.control.allocation.record import ALLOCATION_WORK, PROBLEM, SOLUTION
-from bumpless.control.allocation.wrench_map import to_command, wrench_map
+from bumpless.control.allocation.wrench_map import wrench_map
 from bumpless.control.settings import SETTINGS
-from bumpless.physics.actuators import FIN, STALL_WIDTH, inflow_along
+from bumpless.physics.actuators import FIN, to_command
+from bumpless.physics.actuators.fin import STALL_WIDTH
+from bumpless.physics.actuators.geometry import inflow_along
 from bumpless.sim.settings import fill_settings
 from bumpless.sim.twin import one
 from tests.bench import stream
@@ -107,11 +109,12 @@ def test_second_order_term_equals_finite_differences(model, problems):
     """Protects: the fins' curvature, attached, stalled and in between, in flow from any side."""
     n, rng = int(model["n_u"]), np.random.default_rng(4)
     up, down, J_up, J_down, out = np.zeros(6), np.zeros(6), np.zeros((6, N)), np.zeros((6, N)), np.zeros(N)
-    h = 1e-6
+    coupling, h = np.zeros(N), 1e-6
     for p in problems[:400]:
         x, weight = np.zeros(N), rng.normal(size=6)
         x[:n] = rng.uniform(-1, 1, n)
-        residual_curvature(model, x, p["effectiveness"], p["nu_flow"], weight, out)
+        residual_curvature(model, x, p["u_previous"], p["effectiveness"], p["nu_flow"], weight, out, coupling)
+        assert not coupling.any()  # each of these actuators has one command
         for i in range(n):
             step = np.zeros(N)
             step[i] = h
@@ -140,15 +143,17 @@ def test_a_direction_of_negative_curvature_is_one():
     found = 0
     for _ in range(500):
         G = rng.normal(size=(5, N))
-        H, curvature = G.T @ G + 1e-3 * np.eye(N), rng.normal(0.0, 0.5, N)
+        H, curvature, coupling = G.T @ G + 1e-3 * np.eye(N), rng.normal(0.0, 0.5, N), np.zeros(N)
+        coupling[[0, 3]] = rng.normal(0.0, 0.5, 2)
+        C = np.diag(curvature) + np.diag(coupling[:-1], 1) + np.diag(coupling[:-1], -1)
         free = (rng.random(N) < 0.7).astype(np.int64)
         inside = np.flatnonzero(free)
-        full = (H + np.diag(curvature))[np.ix_(inside, inside)]
-        convex = descent_curvature(H, curvature, free, N, z)
+        full = (H + C)[np.ix_(inside, inside)]
+        convex = descent_curvature(H, curvature, coupling, free, N, z)
         assert convex == (np.linalg.eigvalsh(full)[0] > 0.0 if len(inside) else True)
         if not convex:
             found += 1
-            assert z @ (H + np.diag(curvature)) @ z < 0.0 and not z[free == 0].any()
+            assert z @ (H + C) @ z < 0.0 and not z[free == 0].any()
     assert found > 100
 
 
@@ -165,7 +170,7 @@ def test_fins_brake_where_the_screw_alone_cannot(ts100, model):
     )
     p["tau_d"][0] = -1.0
     p["u_lower"][:n], p["u_upper"][:n] = -0.3 * model["command_max"][:n], 0.3 * model["command_max"][:n]
-    propeller = int(np.argmax((model["kind"][:n] != FIN) * np.abs(model["direction"][:n, 0])))
+    propeller = int(np.argmax((model["T_nn"][:n] > 0.0) * np.abs(model["direction"][:n, 0])))
     p["u_lower"][propeller] = p["u_upper"][propeller] = to_command(model, propeller, 0.0)
     allocate_mdca(make_handle("osqp"), chosen(ts100), model, p, solution, w)
     fins = np.flatnonzero(model["kind"][:n] == FIN)

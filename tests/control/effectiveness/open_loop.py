@@ -84,7 +84,7 @@ def watch(
         out.faults.append(int(sum(int(f) << i for i, f in enumerate(estimator["faulty"]))))
         out.said.append(1.0 - estimator["loss"])
         out.heard.append(s["belief"]["effectiveness"].copy())
-        u[: len(vehicle.actuators)] = commands(t)
+        u[: len(vehicle.commands)] = commands(t)
         step_plant(world["model"], truth["environment"], truth["faults"], plant, u, dt, 2, noise)
     return out
 
@@ -94,7 +94,8 @@ def _listen(onboard: np.void, m: np.void) -> None:
     settings, s, sensors = onboard["settings"], onboard["state"], onboard["sensors"]
     allocation, dt, work = settings["allocation"], settings["dt"], onboard["scratch"]["estimator"]
     clock, navigation, estimator = s["clock"], s["navigation"], s["estimator"]
-    navigate(dt, clock, sensors, m, navigation, onboard["output"]["navigation"])
+    model, believed, out = onboard["model"], s["belief"]["effectiveness"], onboard["output"]["navigation"]
+    navigate(dt, settings["navigation"], clock, sensors, model, believed, m, navigation, out)
     estimate_effectiveness(
         dt, allocation["fault_evidence"], sensors, onboard["model"], m, navigation, estimator, work
     )

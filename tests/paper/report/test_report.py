@@ -113,7 +113,10 @@ class Flight:
 
     class vehicle:
         control_period_s = 0.05
-        actuators = [type("A", (), {"kind": "fin"})(), type("A", (), {"kind": "thruster"})()]
+
+        @staticmethod
+        def slots(kind: str) -> list[int]:
+            return [["fin", "thruster"].index(kind)]
 
     def __init__(self) -> None:
         from bumpless.sim.log import LOG

@@ -5,7 +5,9 @@ import pytest
 
 from bumpless.config.vehicle import Fin, MyringHull, Vehicle, load_vehicle
 from bumpless_server.scene import mesh
-from bumpless_server.scene.model import hull_radius_at, joint_angle, myring_radius, parts_of, spin_step
+from bumpless_server.scene.hull import hull_radius_at, myring_radius
+from bumpless_server.scene.model import parts_of
+from bumpless_server.scene.part import joint_angle, spin_step
 
 
 @pytest.fixture(scope="module")
@@ -39,7 +41,7 @@ def test_hull_mesh_spans_the_vehicle(ts100: Vehicle) -> None:
 def test_every_actuator_is_drawn_and_moves(ts100: Vehicle) -> None:
     """Four rudders and three screws, each tied to its place in the file's order."""
     moving = [p for p in parts_of(ts100) if p.axis is not None]
-    assert [p.actuator for p in moving] == list(range(7))
+    assert [p.command for p in moving] == list(range(7))
     assert [p.role for p in moving] == ["fin"] * 4 + ["propeller"] * 3
 
 
@@ -50,14 +52,14 @@ def test_positive_deflection_turns_leading_edge_towards_lift(ts100: Vehicle) -> 
             assert part.axis is not None
             rotation = mesh.turn(part.axis, joint_angle(10.0))
             leading = rotation @ [1.0, 0.0, 0.0]
-            lift = np.asarray(ts100.actuators[part.actuator].direction)
+            lift = np.asarray(ts100.actuators[part.command].direction)
             assert leading @ lift == pytest.approx(np.sin(np.radians(10.0)))
 
 
 def test_fin_stands_on_its_stock(ts100: Vehicle) -> None:
     """Lift acts at the arm of the file: the blade reaches equally far inside and outside of it."""
     for part in parts_of(ts100):
-        fin = ts100.actuators[part.actuator]
+        fin = ts100.actuators[part.command]
         if part.role == "fin" and isinstance(fin, Fin):
             radial = np.array([0.0, fin.position_m[1], fin.position_m[2]]) / fin.arm_m
             reach = (part.mesh[0] + np.asarray(part.position)) @ radial

@@ -48,7 +48,7 @@ def autopilot_cycle(handle, onboard, m):
     settings, orders, s, out = onboard.settings, onboard.orders, onboard.state, onboard.output
     phase = orders.phase
     if phase != IDLE:
-        locate(settings, onboard.sensors, m, s, out.navigation)
+        locate(settings, onboard.sensors, onboard.model, m, s, out.navigation)
     if phase == IDLE or phase == ABORTED:
         see_flow(settings.guidance, s.navigation.smooth_nu_r, out.navigation.nu_flow)
         stop_actuators(settings.dt, onboard.model, out.navigation.nu_flow, s, out)
@@ -69,11 +69,12 @@ def is_completed(plan, cycle, s):
 
 
 @jit
-def locate(settings, sensors, m, s, out):
+def locate(settings, sensors, model, m, s, out):
     """Where the vehicle is and how it moves through water; fills the NAVIGATION_OUTPUT. s: STATE."""
     navigation, first = s.navigation, s.clock.cycle == 0
-    navigate(settings.dt, s.clock, sensors, m, navigation, out)
-    smooth_flow(settings.dt, settings.guidance, first, out.nu_r, navigation.smooth_nu_r)
+    dt, believed = settings.dt, s.belief.effectiveness
+    navigate(dt, settings.navigation, s.clock, sensors, model, believed, m, navigation, out)
+    smooth_flow(dt, settings.guidance, first, out.nu_r, navigation.smooth_nu_r)
 
 
 @jit
@@ -88,11 +89,11 @@ def fly_cycle(handle, onboard, m):
             s.estimator, onboard.scratch.estimator,
         )  # fmt: skip
     if m.fresh == 1:
-        filter_detection(settings.supervisor, m.detected, s.supervisor)
+        filter_detection(settings.supervisor, out.navigation.sighted, s.supervisor)
     situation, docks = out.situation, settings.docking.enabled == 1
     switched = onboard.orders.change == 1
     if docks:
-        look_docking(dt, plan, m, s, situation, out.docking)
+        look_docking(dt, plan, out.navigation.sighted, s, situation, out.docking)
         if cycle == 0:
             start_as_found(model, m, s)
     else:

@@ -6,6 +6,7 @@ from bumpless.config.capacity import N_MODES
 from bumpless.control.allocation.record import ALLOCATION_SETTINGS
 from bumpless.control.docking.record import DOCKING_SETTINGS
 from bumpless.control.guidance.record import GUIDANCE_SETTINGS
+from bumpless.control.navigation import NAVIGATION_SETTINGS
 from bumpless.control.supervisor import SUPERVISOR_SETTINGS
 from bumpless.control.switching import MODE_SETTINGS, SWITCHING_SETTINGS
 
@@ -19,6 +20,7 @@ SETTINGS = np.dtype(
         ("allocation", ALLOCATION_SETTINGS),
         ("guidance", GUIDANCE_SETTINGS),
         ("docking", DOCKING_SETTINGS),
+        ("navigation", NAVIGATION_SETTINGS),
         ("modes", MODE_SETTINGS, (N_MODES,)),  # of FORWARD, REVERSE, HOVER: modes[mode - FORWARD]
     ],
     align=True,

@@ -7,7 +7,7 @@ import numpy as np
 from bumpless.config.parameters import DockingParameters
 from bumpless.config.parameters.records import fill_record
 from bumpless.control.docking.record import DOCKING_SETTINGS
-from bumpless.physics.model_record import THRUSTER
+from bumpless.physics.actuators import KINDS
 
 _FASTEST = 5.0  # m/s, no vehicle of this kind is faster
 
@@ -24,12 +24,17 @@ def docking_settings(parameters: DockingParameters) -> Any:
     return out.view(np.recarray)[0]
 
 
+def screws(model: Any) -> list[int]:
+    """The slots of commands that are the shaft speed of a screw."""
+    return [i for i in range(int(model["n_u"])) if model["T_nn"][i] > 0.0]
+
+
 def thrust_ahead(model: Any, u_r: float) -> float:
     """Largest thrust along x_b at a speed through water u_r, m/s, in N; MODEL of the vehicle."""
     total = 0.0
-    for i in range(int(model["n_u"])):
+    for i in screws(model):
         share = float(model["direction"][i, 0])
-        if model["kind"][i] != THRUSTER or abs(share) < 0.05:
+        if abs(share) < 0.05:
             continue
         forward = share > 0.0
         n = float(model["command_max"][i] if forward else -model["command_min"][i])
@@ -54,6 +59,9 @@ def side_force(model: Any) -> float:
     """Largest force along y_b at rest, N; 0 for a vehicle without sideways thrust."""
     if not model["controllable"][1] > 0.0:
         return 0.0
-    n = int(model["n_u"])
-    push = model["T_nn"][:n] * model["command_max"][:n] ** 2 * np.abs(model["direction"][:n, 1])
-    return float(np.sum(push[model["kind"][:n] == THRUSTER]))
+    total = 0.0
+    for i in screws(model):
+        turns = model["kind"][i] == KINDS["azimuth"].KIND
+        share = np.sin(min(model["command_max"][i + 1], 0.5 * np.pi)) if turns else model["direction"][i, 1]
+        total += abs(float(share * model["T_nn"][i] * model["command_max"][i] ** 2))
+    return total

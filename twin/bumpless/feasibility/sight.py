@@ -11,7 +11,7 @@ from bumpless.config.parameters import Parameters
 from bumpless.config.vehicle import Vehicle
 from bumpless.feasibility.finding import WARNING, Finding
 from bumpless.feasibility.reach import plain
-from bumpless.physics.sensors import camera_view
+from bumpless.physics.camera import in_view, view_from
 from bumpless.sim.settings import sensors_of
 
 _STEP_M = 0.25
@@ -26,9 +26,9 @@ def seen_from(mission: Mission, vehicle: Vehicle, leg: int) -> float | None:
     nearest = None
     for share in np.arange(0.0, 1.0, _STEP_M / max(math.dist(start, end), _STEP_M)):
         place = start + share * (end - start)
-        plain(camera_view)(sensors, np.array([*place, 0.0, 0.0, course]), target, view)
-        ahead = math.hypot(view[1], view[2]) <= sensors.camera_half_angle
-        if ahead and sensors.camera_range_min <= view[0] <= sensors.camera_range_max:
+        eta = np.array([*place, 0.0, 0.0, course])
+        plain(view_from)(sensors.camera_position[0], sensors.camera_pitch[0], eta, target, view)
+        if plain(in_view)(sensors, 0, view):
             far = math.dist(place[:2], point[:2])
             nearest = far if nearest is None else min(nearest, far)
     return nearest

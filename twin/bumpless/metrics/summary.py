@@ -27,9 +27,9 @@ def metrics_of(run: Columns, vehicle: "Vehicle", run_id: str = "") -> pb.Metrics
     `residual_rms_true`. A command is at a bound within AT_BOUND of its amplitude span.
     Source: Gao et al. 2026, section 4.1 and tables 5 to 8.
     """
-    edge = np.array([EDGE_PER_SI[a.unit] for a in vehicle.actuators])
-    lower = np.array([a.command_min for a in vehicle.actuators]) / edge
-    upper = np.array([a.command_max for a in vehicle.actuators]) / edge
+    edge = np.array([EDGE_PER_SI[c.unit] for c in vehicle.commands])
+    lower = np.array([c.lower for c in vehicle.commands]) / edge
+    upper = np.array([c.upper for c in vehicle.commands]) / edge
     bounds = np.maximum(np.abs(lower), np.abs(upper))
     served = np.array([name in vehicle.controllable for name in WRENCH], float)
     message = pb.Metrics(run_id=run_id, cycles=len(run), missing_cycles=run.missing)

@@ -1,21 +1,21 @@
 """Vehicle -> MODEL record: the numbers that compiled code works on, SI, radians and rev/s."""
 
-import math
-
 import numpy as np
 from numpy.typing import NDArray
 
 from bumpless.config.vehicle import Vehicle
-from bumpless.config.vehicle.parts import Fin, Mass, Thruster
+from bumpless.config.vehicle.parts import Mass
 from bumpless.contract.units import WRENCH
+from bumpless.physics.actuators import fill_actuator
 from bumpless.physics.hydrodynamics import hull_coefficients
-from bumpless.physics.model_record import FIN, MODEL, THRUSTER
-
-HAND = {"right": -1.0, "left": 1.0, "balanced": 0.0}
+from bumpless.physics.model_record import MODEL
 
 
 def build_model(vehicle: Vehicle) -> np.record:
-    """One record of type MODEL; unused actuator entries are zero."""
+    """One record of type MODEL; unused entries are zero.
+
+    Raises: ValueError when an actuator's kind is not known.
+    """
     model = np.zeros(1, MODEL)[0]
     water, mass = vehicle.environment, vehicle.mass
     model["rho"] = water.water_density_kgpm3
@@ -31,12 +31,10 @@ def build_model(vehicle: Vehicle) -> np.record:
     model["D_quadratic"] = coefficients.D_quadratic
     model["D_lift"] = coefficients.D_lift
     model["controllable"] = [float(name in vehicle.controllable) for name in WRENCH]
-    model["n_u"] = len(vehicle.actuators)
-    for i, actuator in enumerate(vehicle.actuators):
-        if isinstance(actuator, Fin):
-            _fin(model, i, actuator)
-        else:
-            _thruster(model, i, actuator, water.water_density_kgpm3)
+    end = 0
+    for actuator in vehicle.actuators:
+        end = fill_actuator(model, end, actuator, water.water_density_kgpm3)
+    model["n_u"] = end
     return model
 
 
@@ -57,37 +55,3 @@ def skew(r: tuple[float, float, float]) -> NDArray[np.float64]:
     """S(r) with S(r) a = r x a, (3, 3)."""
     x, y, z = r
     return np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
-
-
-def _fin(model: np.record, i: int, fin: Fin) -> None:
-    model["kind"][i] = FIN
-    model["position"][i] = fin.position_m
-    model["direction"][i] = fin.direction
-    model["command_min"][i] = -math.radians(fin.deflection_max_deg)
-    model["command_max"][i] = math.radians(fin.deflection_max_deg)
-    model["command_rate"][i] = math.radians(fin.deflection_rate_degps)
-    model["time_constant"][i] = fin.time_constant_s
-    model["fin_area"][i] = fin.planform_area_m2
-    model["C_La"][i] = fin.lift_slope_per_rad
-    model["C_D0"][i] = fin.drag_coefficient_zero
-    model["C_D2"][i] = fin.drag_rise_per_rad2
-    model["stall_angle"][i] = math.radians(fin.stall_angle_deg)
-    model["reverse_lift"][i] = fin.reverse_lift_share
-
-
-def _thruster(model: np.record, i: int, thruster: Thruster, rho: float) -> None:
-    D, inflow = thruster.diameter_m, 1.0 - thruster.wake_fraction
-    model["kind"][i] = THRUSTER
-    model["position"][i] = thruster.position_m
-    model["direction"][i] = np.array(thruster.direction) / np.linalg.norm(thruster.direction)
-    model["command_min"][i] = thruster.shaft_speed_min_rpm / 60.0
-    model["command_max"][i] = thruster.shaft_speed_max_rpm / 60.0
-    model["command_rate"][i] = thruster.shaft_acceleration_rpmps / 60.0
-    model["time_constant"][i] = thruster.time_constant_s
-    model["T_nn"][i] = rho * D**4 * thruster.thrust_coefficient
-    model["T_nn_reverse"][i] = model["T_nn"][i] * thruster.reverse_thrust_share
-    model["T_nv"][i] = rho * D**3 * thruster.thrust_slope * inflow
-    # a right-handed screw turns about its thrust; the water's torque on it, and so on the hull, is against
-    hand = HAND[thruster.hand]
-    model["Q_nn"][i] = hand * rho * D**5 * thruster.torque_coefficient
-    model["Q_nv"][i] = hand * rho * D**4 * thruster.torque_slope * inflow

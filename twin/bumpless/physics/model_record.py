@@ -8,8 +8,6 @@ from bumpless.config.capacity import MAX_ACTUATORS as _n
 
 f8, i8 = np.float64, np.int64
 
-THRUSTER, FIN = 0, 1  # kinds of actuator
-
 MODEL = np.dtype(
     [
         # rigid body and restoring force
@@ -27,9 +25,12 @@ MODEL = np.dtype(
         ("D_quadratic", f8, (6, 6)),
         ("D_lift", f8, (6, 6)),
         ("controllable", f8, 6),  # 1 where the actuators can act, 0 elsewhere (S_c)
-        # actuators
+        # one entry for each command; what belongs to an actuator stands at its first, see `physics.actuators`
         ("n_u", i8),
-        ("kind", i8, _n),  # THRUSTER or FIN
+        ("kind", i8, _n),  # a KIND of `physics.actuators.dispatch`
+        ("part", i8, _n),  # which of its actuator's commands this is, from 0
+        ("steers", i8, _n),  # 1: serves moments, 0: pushes; for the direct mapping of the baseline S1
+        ("trust", f8, _n),  # share of the evidence against it that counts, see `control.effectiveness`
         ("position", f8, (_n, 3)),  # r_i, m
         ("direction", f8, (_n, 3)),  # thrust direction d_j, or lift direction e_L
         ("command_min", f8, _n),  # rad or rev/s

@@ -13,6 +13,7 @@ from bumpless.runs.flown import Flown
 from bumpless.runs.run import Run
 
 GIVEN = "parameters"  # the file that problems of given parameters name
+Alter = Callable[[Any, Any], None]
 Overrides = Mapping[str, Mapping[str, Any]]  # section -> key -> value, as in a mission's `parameters`
 
 
@@ -37,13 +38,15 @@ def fly(
     parameters: Parameters | Overrides | None = None,
     started_ns: int | None = None,
     progress: Callable[[float], None] | None = None,
+    alter: Alter | None = None,
 ) -> Run:
     """Fly a mission to its end with the simulated vehicle.
 
     mission: or its file or name, see `load_mission`. vehicle: or its id or file; the mission's own when None.
     seed: of every random number; the mission's own when None. parameters: all of them, or those that shall
     differ from the vehicle's and the mission's, {"hover": {"lambda": 0.01}}. started_ns: UNIX time of mission
-    time 0; now when None. progress: called with the share flown.
+    time 0; now when None. progress: called with the share flown. alter: changes the records of the true
+    vehicle and of the truth in place; the autopilot learns nothing of it.
 
     The same arguments give the same flight to the bit, but for measured solve times.
     Raises MissionError, VehicleError or ParameterError with every problem.
@@ -54,7 +57,7 @@ def fly(
     flown = mission if isinstance(mission, Mission) else load_mission(mission, who)
     who = who or load_vehicle(flown.vehicle)
     chosen = _parameters(who, flown, parameters)
-    result = simulate(flown, who, chosen, seed, progress)
+    result = simulate(flown, who, chosen, seed, progress, alter)
     return Run(Flown(result, time.time_ns() if started_ns is None else started_ns))
 
 

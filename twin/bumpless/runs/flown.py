@@ -50,9 +50,9 @@ class Flown:
     @property
     def columns(self) -> Columns:
         """One row per cycle, after the way over the bus: what a log of it holds, to the bit."""
-        actuators = self.result.vehicle.actuators
-        columns = Columns.from_log(self.result.log, len(actuators))
-        return columns.as_told([actuator.unit for actuator in actuators])
+        commands = self.result.vehicle.commands
+        columns = Columns.from_log(self.result.log, len(commands))
+        return columns.as_told([command.unit for command in commands])
 
     @property
     def figures(self) -> Figures:

@@ -129,7 +129,7 @@ def _fields(prefix: str, kind: Descriptor, path: str = "") -> list[tuple[str, st
 def _repeated(
     topic: str, message: Any
 ) -> tuple[Callable[[Any], tuple[Any, ...]], list[tuple[str, FieldDescriptor]]]:
-    """How to read what a message has one of per actuator, and the names of it."""
+    """How to read what a message has one of per command, and the names of it."""
     readers: list[Callable[[Any], Iterable[Any]]] = []
     names: list[tuple[str, FieldDescriptor]] = []
     for field in message.DESCRIPTOR.fields:

@@ -38,7 +38,7 @@ class TwinEvent:
 
 
 class EventWriter:
-    """Collects events until they are drained. actuators: their names, in the vehicle file's order."""
+    """Collects events until they are drained. actuators: whose each command is."""
 
     def __init__(self, actuators: tuple[str, ...] = ()) -> None:
         self.actuators = actuators

@@ -18,13 +18,13 @@ from bumpless.control.allocation.qp import make_handle
 from bumpless.control.onboard import ONBOARD
 from bumpless.control.reset import reset_state
 from bumpless.physics.model import build_model
-from bumpless.physics.model_record import THRUSTER
 from bumpless.physics.plant import observe_plant
 from bumpless.physics.sensors import N_NOISE
 from bumpless.sim.cycle import fly
 from bumpless.sim.events import EventWriter, TwinEvent, completed_event, eventful, row_events
 from bumpless.sim.log import LOG
 from bumpless.sim.settings import fill_settings, plan_of, sensors_of
+from bumpless.sim.trim import load
 from bumpless.sim.truth import tell, truth_of
 from bumpless.sim.world import WORLD, clear, place_plant, start_shafts
 
@@ -43,6 +43,11 @@ def one(dtype: np.dtype) -> np.ndarray:
     return np.zeros(1, dtype)
 
 
+def new_log(cycles: int) -> np.ndarray:
+    """Empty LOG rows for `Twin.fly`, shape (cycles,)."""
+    return np.zeros(cycles, LOG)
+
+
 class Twin:
     """One simulated vehicle with its autopilot. Not thread safe: one thread steps it.
 
@@ -54,7 +59,7 @@ class Twin:
         self.period_s = vehicle.control_period_s
         self.mission: Mission | None = None
         self.seed = 0
-        self.events = EventWriter(tuple(actuator.name for actuator in vehicle.actuators))
+        self.events = EventWriter(tuple(command.actuator for command in vehicle.commands))
         self._handles: dict[str, np.ndarray] = {}
         self._onboard, self._world = one(ONBOARD), one(WORLD)
         self.onboard, self.world = self._onboard[0], self._world[0]
@@ -105,6 +110,7 @@ class Twin:
         onboard, world = self.onboard, self.world
         onboard["sensors"] = world["sensors"] = sensors_of(self.vehicle, mission)[0]
         world["truth"], world["model"] = truth_of(mission, self.vehicle)[0], onboard["model"]
+        load(world["model"], mission.trim)
         if alter is not None:
             alter(world["model"], world["truth"])
         place_plant(world["truth"], world["sensors"], world["plant"], self._rng)
@@ -144,7 +150,7 @@ class Twin:
         """Way from `surge` (m/s) to rest: half the ramp at this speed, then all reverse thrust, m."""
         m, n = self.onboard["model"], int(self.onboard["model"]["n_u"])
         thrust = np.maximum(m["T_nn"], m["T_nn_reverse"])[:n] * m["command_min"][:n] ** 2
-        push = float(np.sum(thrust * np.abs(m["direction"][:n, 0]) * (m["kind"][:n] == THRUSTER)))
+        push = float(np.sum(thrust * np.abs(m["direction"][:n, 0])))
         braking = max(push, 1e-3) / float(m["M_RB"][0, 0] + m["M_A"][0, 0])
         ramp_s = self.parameters.hover.ramp_cycles * self.period_s
         return surge * ramp_s / 2 + surge * abs(surge) / (2 * braking)
@@ -179,8 +185,16 @@ class Twin:
             completed_event(self.events, row)
         return row
 
+    @property
+    def cycles(self) -> int:
+        """Longest duration of the mission, in control cycles."""
+        return int(self.onboard["plan"]["cycles"])
+
     def fly(self, log: np.ndarray) -> int:
-        """Fly up to len(log) cycles into LOG rows, to the end of the phase at most; returns how many."""
+        """Fly up to len(log) cycles into LOG rows, to the end of the phase at most; returns how many.
+
+        The cycles are those of `simulate`, however the flight is cut into calls. Adds no events for the rows.
+        """
         noise = self._rng.standard_normal((len(log), N_NOISE))
         return fly(self._handle, self._onboard, self._world, noise, log)
 
@@ -218,8 +232,8 @@ def simulate(
     parameters = parameters or parameters_for(vehicle, mission)
     twin = Twin(vehicle, parameters)
     twin.start(mission, seed, parameters, alter)
-    total = int(twin.onboard["plan"]["cycles"])
-    log = np.zeros(total, LOG)
+    total = twin.cycles
+    log = new_log(total)
     filled = 0
     while filled < total and twin.phase == RUNNING:
         filled += twin.fly(log[filled : filled + _CHUNK])

@@ -17,7 +17,6 @@ from bumpless.config.parameters import Parameters
 from bumpless.config.vehicle import Vehicle
 from bumpless.contract.enums import FORWARD, HOVER, REVERSE
 from bumpless.control.supervisor import change_mode
-from bumpless.physics.model_record import THRUSTER
 from bumpless.sim.twin import Twin
 
 FAR_M = 500.0
@@ -108,7 +107,7 @@ def thruster_load(model: np.void, mode: int) -> np.ndarray:
     load = np.zeros(6)
     for i in range(int(model["n_u"])):
         works = mode != HOVER and abs(model["direction"][i, 0]) > 0.5
-        if model["kind"][i] == THRUSTER and not works:
+        if not works:  # what is no screw has no T_nn
             force = 0.2 * model["T_nn"][i] * model["command_max"][i] ** 2 * model["direction"][i]
             load[:3] -= force
             load[3:] -= np.cross(model["position"][i], force)

@@ -14,13 +14,14 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class ActuatorContext:
-    """One actuator at the edge: commands in `unit`, amplitude bounds in `unit`."""
+    """One command at the edge: in `unit`, as its amplitude bounds."""
 
     name: str
     unit: str  # "deg" or "rpm"
     scale: float  # `unit` per rad or per rev/s
     lower: float
     upper: float
+    first: int  # the actuator's first command, where its effectiveness stands
 
     @property
     def tolerance(self) -> float:
@@ -66,9 +67,10 @@ class Context:
 
 def make_context(vehicle: "Vehicle", parameters: "Parameters", start_time_ns: int = 0) -> Context:
     """The context of a vehicle that flies with `parameters`."""
+    owners = [command.actuator for command in vehicle.commands]
     actuators = tuple(
-        ActuatorContext(a.name, a.unit, EDGE_PER_SI[a.unit], float(a.command_min), float(a.command_max))
-        for a in vehicle.actuators
+        ActuatorContext(c.name, c.unit, EDGE_PER_SI[c.unit], c.lower, c.upper, owners.index(c.actuator))
+        for c in vehicle.commands
     )
     return Context(actuators, parameters.supervisor, _solver(parameters), start_time_ns)
 

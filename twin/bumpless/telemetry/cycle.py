@@ -71,7 +71,7 @@ def messages(
         ("tlm/actuators", actuators := _actuators(r, stamp, context)),
         ("tlm/allocation", _allocation(r, stamp, context, actuators)),
         ("tlm/target", _target(r, stamp)),
-        ("truth/state", _truth(r, stamp, len(context.actuators))),
+        ("truth/state", _truth(r, stamp, context)),
     ]
 
 
@@ -147,8 +147,9 @@ def _actuators(r: _Row, stamp: pb.Stamp, context: Context) -> pb.Actuators:
     for said, a, numbers in zip(out.actuators, context.actuators, columns, strict=False):
         _actuator(said, a, *(number * a.scale for number in numbers))
     faults, shares, evidences = int(r.one("faults")), r.all("effectiveness_hat"), r.all("fault_evidence")
-    for i, (said, share, evidence) in enumerate(zip(out.actuators, shares, evidences, strict=False)):
-        said.effectiveness, said.fault_evidence, said.faulty = share, evidence, bool(faults >> i & 1)
+    for said, a in zip(out.actuators, context.actuators, strict=True):
+        i = a.first
+        said.effectiveness, said.fault_evidence, said.faulty = shares[i], evidences[i], bool(faults >> i & 1)
     return out
 
 
@@ -196,9 +197,9 @@ def _target(r: _Row, stamp: pb.Stamp) -> pb.Target:
     return out
 
 
-def _truth(r: _Row, stamp: pb.Stamp, n_u: int) -> pb.TruthState:
-    eta, nu = r.all("eta"), r.all("nu")
-    out = pb.TruthState(stamp=stamp, effectiveness=r.all("effectiveness")[:n_u])
+def _truth(r: _Row, stamp: pb.Stamp, context: Context) -> pb.TruthState:
+    eta, nu, shares = r.all("eta"), r.all("nu"), r.all("effectiveness")
+    out = pb.TruthState(stamp=stamp, effectiveness=[shares[a.first] for a in context.actuators])
     _vector(out.position_ned_m, eta)
     _attitude(out.attitude, eta[3:])
     _vector(out.velocity_body_mps, nu)

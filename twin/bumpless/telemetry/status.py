@@ -108,7 +108,7 @@ def description(
         sha256=vehicle.sha256,
         software_version=software_version,
         control_period_s=vehicle.control_period_s,
-        actuator_names=[actuator.name for actuator in vehicle.actuators],
+        actuator_names=[command.name for command in vehicle.commands],
         session_id=session_id,
     )
 

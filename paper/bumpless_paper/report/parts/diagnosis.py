@@ -153,7 +153,7 @@ def _figures(answer: Mapping[str, Any], plants: int) -> Grid:
 def _figure(run: Result) -> Figure:
     log, time = run.log, run.log["time"]
     found = detection_of(run)
-    names = [actuator.name for actuator in run.vehicle.actuators]
+    names = [command.name for command in run.vehicle.commands]
     i = int(np.argmin(log["effectiveness"][-1, : len(names)]))
     marks = [(FAULT_TIME_S, "fault"), (found.fault_at_s + found.delay_s, "found")]
     effectiveness = [

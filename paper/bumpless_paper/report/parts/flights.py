@@ -5,8 +5,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from bumpless.contract.units import DEG, RPM, WRENCH, WRENCH_UNITS
-from bumpless.physics.actuators import FIN, THRUSTER
+from bumpless.contract.units import DEG, EDGE_PER_SI, WRENCH, WRENCH_UNITS
 from bumpless.sim.twin import Result
 from bumpless_paper.report.content import Figure, Panel, Series
 
@@ -70,18 +69,18 @@ def _unwrapped(values: np.ndarray, column: str, axis: int) -> np.ndarray:
     return np.unwrap(values) if column == "eta" and axis > 2 else values
 
 
-def command_figure(id: str, title: str, caption: str, runs: Mapping[str, Result], kind: int) -> Figure:
-    """Commands of all thrusters (rpm) or fins (deg) over time."""
+def command_figure(id: str, title: str, caption: str, runs: Mapping[str, Result], kind: str) -> Figure:
+    """Commands of all actuators of a kind ("fin", "thruster") over time, deg or rpm."""
     last = list(runs.values())[-1]
-    unit, scale = ("°", DEG) if kind == FIN else ("rpm", RPM)
     panels = []
-    for i, actuator in enumerate(last.vehicle.actuators):
-        if (FIN if actuator.kind == "fin" else THRUSTER) == kind:
-            series = [
-                Series(name, run.log["time"], run.log["u"][:, i] * scale, k, "steps")
-                for k, (name, run) in enumerate(runs.items())
-            ]
-            panels.append(Panel(TIME, f"{actuator.name} ({unit})", series, spans_of(last.log)))
+    for i in last.vehicle.slots(kind):
+        command = last.vehicle.commands[i]
+        unit, scale = "°" if command.unit == "deg" else command.unit, EDGE_PER_SI[command.unit]
+        series = [
+            Series(name, run.log["time"], run.log["u"][:, i] * scale, k, "steps")
+            for k, (name, run) in enumerate(runs.items())
+        ]
+        panels.append(Panel(TIME, f"{command.name} ({unit})", series, spans_of(last.log)))
     return Figure(id, title, caption, panels, 1 if len(panels) < 4 else 2)
 
 

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from bumpless.config.capacity import MAX_ACTUATORS
 from bumpless.config.vehicle import load_vehicle, vehicle_names
-from bumpless.physics.actuators import THRUSTER, total_wrench
+from bumpless.physics.actuators import total_wrench
 from bumpless.physics.dynamics import coriolis_force, damping_force
 from bumpless.physics.faults import FAULTS
 from bumpless.physics.frames import body_to_ned
@@ -58,7 +58,7 @@ def steady_speed(model: np.record) -> float:
     from scipy.optimize import brentq
 
     n = int(model["n_u"])
-    ahead = (model["kind"] == THRUSTER) & (model["direction"][:, 0] > 0.5)
+    ahead = (model["T_nn"] > 0.0) & (model["direction"][:, 0] > 0.5)  # screws; pods at the angle 0
     u = np.zeros(MAX_ACTUATORS)
     u[:n] = np.where(ahead[:n], 0.6 * model["command_max"][:n], 0.0)
     calm = model.copy()

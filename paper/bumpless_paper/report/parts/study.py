@@ -8,7 +8,6 @@ from dataclasses import dataclass
 from typing import Any
 
 from bumpless.config.vehicle import load_vehicle
-from bumpless.physics.actuators import FIN, THRUSTER
 from bumpless_paper.report.content import Figure, Part
 from bumpless_paper.report.parts import Progress
 from bumpless_paper.report.parts.flights import (
@@ -178,8 +177,10 @@ def _scenario_figures(id: str, paper: str, runs: dict[str, Any]) -> list[Figure]
             runs,
         ),
         pose_figure(f"{id}_pose", "Depth and attitude", f"True state. Shaded: modes of {name}.", runs),
-        command_figure(f"{id}_thrusters", "Thrusters", f"Commands. Shaded: modes of {name}.", runs, THRUSTER),
-        command_figure(f"{id}_fins", "Rudders", f"Commands. Shaded: modes of {name}.", runs, FIN),
+        command_figure(
+            f"{id}_thrusters", "Thrusters", f"Commands. Shaded: modes of {name}.", runs, "thruster"
+        ),
+        command_figure(f"{id}_fins", "Rudders", f"Commands. Shaded: modes of {name}.", runs, "fin"),
         wrench_figure(
             f"{id}_wrench",
             f"Wrench of {name}",

@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 from bumpless.config.mission import shipped_mission
 from bumpless.config.vehicle import load_vehicle
 from bumpless.contract.enums import HOVER
-from bumpless.physics.actuators import FIN, THRUSTER
 from bumpless.sim.twin import Result, simulate
 from bumpless_paper.report.content import Comparison, Figure, Grid, Part
 from bumpless_paper.report.parts import Progress
@@ -168,7 +167,7 @@ def _figures(runs: dict[str, Result]) -> list[Figure]:
     return [
         track_figure("tank_track", "Tracks in the basin", "Figures 20 and 21 of the paper.", runs),
         pose_figure("tank_pose", "Depth and attitude", "Figure 22. Shaded: the modes of S3.", runs),
-        command_figure("tank_thrusters", "Thrusters", "Figure 23.", runs, THRUSTER),
-        command_figure("tank_fins", "Rudders", "Figure 24.", runs, FIN),
+        command_figure("tank_thrusters", "Thrusters", "Figure 23.", runs, "thruster"),
+        command_figure("tank_fins", "Rudders", "Figure 24.", runs, "fin"),
         wrench_figure("tank_wrench", "Wrench of S3", "Figures 25 to 27, all actuators together.", last),
     ]

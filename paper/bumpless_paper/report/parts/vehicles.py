@@ -3,7 +3,6 @@
 from bumpless.config.mission import shipped_mission
 from bumpless.config.vehicle import load_vehicle
 from bumpless.contract.modes import MODE_LETTERS
-from bumpless.physics.actuators import FIN, THRUSTER
 from bumpless.sim.twin import simulate
 from bumpless_paper.report.content import Figure, Grid, Part
 from bumpless_paper.report.parts import Progress
@@ -21,7 +20,7 @@ def part(progress: Progress) -> Part:
     for k, (name, flight) in enumerate(FLIGHTS.items()):
         vehicle, mission = load_vehicle(name), shipped_mission(flight)
         result = simulate(mission, vehicle)
-        m = metrics_of(Columns.from_log(result.log, len(vehicle.actuators)), vehicle)
+        m = metrics_of(Columns.from_log(result.log, len(vehicle.commands)), vehicle)
         flown = [int(result.log["mode"][0]), *(s.to_mode for s in m.switches)]
         modes = "→".join(MODE_LETTERS[mode] for mode in flown)
         rows.append(
@@ -40,9 +39,9 @@ def part(progress: Progress) -> Part:
         runs, said = {vehicle.name: result}, f"{mission.title}. {mission.summary}"
         figures.append(track_figure(f"{name}_track", f"{vehicle.name}: track", said, runs))
         figures.append(pose_figure(f"{name}_pose", f"{vehicle.name}: depth and attitude", "", runs))
-        figures.append(command_figure(f"{name}_thrusters", f"{vehicle.name}: thrusters", "", runs, THRUSTER))
-        if any(a.kind == "fin" for a in vehicle.actuators):
-            figures.append(command_figure(f"{name}_fins", f"{vehicle.name}: fins", "", runs, FIN))
+        for kind in dict.fromkeys(("thruster", *sorted(a.kind for a in vehicle.actuators))):
+            title = f"{vehicle.name}: {kind}s"
+            figures.append(command_figure(f"{name}_{kind}s", title, "", runs, kind))
         figures.append(wrench_figure(f"{name}_wrench", f"{vehicle.name}: wrench", "", result))
         progress((k + 1) / len(FLIGHTS))
     return Part(

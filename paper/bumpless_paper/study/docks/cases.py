@@ -1,8 +1,8 @@
 """A docking mission by number: where the dock is, how the vehicle comes to it, what sea, plant and faults.
 
 The vehicle begins 28 to 45 m off within 60 deg of the approach, the dock is up to 0.5 m from its planned
-place, and the plant is one of `study.plants` with its fins' slew and lift and its thrust drawn as well, so that the
-allocator's map is never exact.
+place, and the plant is one of `study.plants` with its fins' slew and lift and its thrust drawn as well, so
+that the allocator's map is never exact.
 """
 
 import math
@@ -12,20 +12,11 @@ from typing import Any, Literal
 
 import numpy as np
 
-from bumpless.config.mission.model import (
-    CurrentVariation,
-    End,
-    Environment,
-    Fault,
-    Leg,
-    Mission,
-    Outage,
-    Sensors,
-    Start,
-    Target,
-)
+from bumpless.config.mission.model import End, Fault, Leg, Mission, Start, Target
+from bumpless.config.mission.sea import CurrentVariation, Environment
+from bumpless.config.mission.sensing import Outage, Sensors
 from bumpless.config.vehicle import Vehicle, load_vehicle
-from bumpless.physics.model_record import FIN
+from bumpless.physics.actuators import FIN
 from bumpless_paper.study.plants import Plant, draw
 
 HELD_OUT = 1_000_000

@@ -1,7 +1,5 @@
 """What may stand in files, as the API tells it."""
 
-from typing import Any
-
 from pydantic import ConfigDict
 
 from bumpless_server.web.answers.contract import Answer
@@ -25,4 +23,9 @@ class FieldEntry(Answer):
     live: bool
 
 
-Schema = dict[str, Any]  # JSON Schema, 2020-12
+class Schema(Answer):
+    """A JSON Schema (2020-12) with whatever it says beside these."""
+
+    model_config = ConfigDict(extra="allow")
+    title: str
+    type: str

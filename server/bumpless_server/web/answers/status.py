@@ -40,7 +40,7 @@ class Event(model_of(pb.Event)):
 
 
 class ActuatorAnswer(Answer):
-    """One actuator with its amplitude bounds, in its unit."""
+    """One command of an actuator of this kind, with its amplitude bounds in its unit."""
 
     name: str
     kind: str
@@ -59,7 +59,7 @@ class VehicleAnswer(Answer):
     controllable: list[str]
     length_m: float
     diameter_m: float
-    actuators: list[ActuatorAnswer]  # in its file's order
+    actuators: list[ActuatorAnswer]  # one for each command, in the order of u
 
     @classmethod
     def of(cls, vehicle: Vehicle) -> "VehicleAnswer":
@@ -74,12 +74,13 @@ class VehicleAnswer(Answer):
             diameter_m=vehicle.hull.diameter_m,
             actuators=[
                 ActuatorAnswer(
-                    name=actuator.name,
+                    name=command.name,
                     kind=str(actuator.kind),
-                    unit=actuator.unit,
-                    min=actuator.command_min,
-                    max=actuator.command_max,
+                    unit=command.unit,
+                    min=command.lower,
+                    max=command.upper,
                 )
                 for actuator in vehicle.actuators
+                for command in actuator.commands
             ],
         )

@@ -5,8 +5,9 @@ from typing import Literal
 from fastapi import APIRouter
 
 from bumpless_server.web.answers.declared import FieldEntry, Schema
+from bumpless_server.web.answers.refusal import REFUSALS
 
-router = APIRouter(prefix="/api")
+router = APIRouter(prefix="/api", responses=REFUSALS)
 
 Format = Literal["mission", "vehicle", "parameters"]
 
@@ -24,4 +25,4 @@ def schema(kind: Format) -> Schema:
     """The JSON Schema (2020-12) of such files."""
     from bumpless.config.formats import SCHEMAS
 
-    return SCHEMAS[kind]()
+    return Schema.model_validate(SCHEMAS[kind]())

@@ -42,7 +42,7 @@ def events(console: Served, limit: int = 200) -> list[Event]:
 
 @router.get("/vehicle")
 def vehicle(console: Served) -> VehicleAnswer:
-    """The vehicle as it describes itself: actuators in its file's order with their bounds."""
+    """The vehicle as it describes itself: the commands of its actuators in the order of u."""
     described = console.vehicle()
     if described is None:
         raise Refusal(404, f"vehicle {console.state.vehicle_id} has not described itself yet")

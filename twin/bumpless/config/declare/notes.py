@@ -142,7 +142,7 @@ def _finite(value: float) -> bool:
 
 @dataclass(frozen=True)
 class Row(Note):
-    """A row of numbers, one for each of `names`; with no names one for each actuator, `most` of them at most.
+    """A row of numbers, one for each of `names`; with no names one for each command, `most` of them at most.
 
     `min` and `max` hold for every number, or are rows themselves.
     """
@@ -198,12 +198,12 @@ class Row(Note):
     def shape(self) -> str:
         """ "must be a list of 3 numbers in m: [north, east, down]"."""
         if not self.names:
-            return f"must be a list of numbers{self.in_unit}, one per actuator"
+            return f"must be a list of numbers{self.in_unit}, one per command"
         return f"must be a list of {len(self.names)} numbers{self.in_unit}: [{', '.join(self.names)}]"
 
     @property
     def described(self) -> str:
-        names = f" [{' '.join(self.names)}]" if self.names else ", one per actuator"
+        names = f" [{' '.join(self.names)}]" if self.names else ", one per command"
         return (
             self.label
             + names

@@ -57,7 +57,7 @@ def _kind(entry: dict[str, Any]) -> str:
     match entry["type"]:
         case "row":
             names = ", ".join(entry["names"])
-            return f"row [{names}]" if names else "row, one per actuator"
+            return f"row [{names}]" if names else "row, one per command"
         case "choice":
             return "word"
         case "switch":

@@ -25,19 +25,19 @@ def check(parameters: Parameters, vehicle: Tuned, source: str = "") -> list[Prob
 
     `source` is the file name the problems carry, if there is one.
     """
-    found = (*_check_rows(parameters, len(vehicle.actuators)), *_check_supervisor(parameters))
+    found = (*_check_rows(parameters, len(vehicle.commands)), *_check_supervisor(parameters))
     return [Problem(source, None, None, field, value, rule) for field, value, rule in found]
 
 
 def _check_rows(parameters: Parameters, n_u: int) -> Iterator[tuple[str, object, str]]:
-    """Rows with one number per actuator."""
+    """Rows with one number per command."""
     for name, section in fields_of(Parameters).items():
         for key, field in fields_of(section.kind).items():
             if not isinstance(field.note, Row) or field.note.names:
                 continue
             row = getattr(getattr(parameters, name), field.name)
             if len(row) != n_u:
-                yield f"{name}.{key}", list(row), f"must have {n_u} numbers, one per actuator"
+                yield f"{name}.{key}", list(row), f"must have {n_u} numbers, one per command"
 
 
 def _check_supervisor(parameters: Parameters) -> Iterator[tuple[str, object, str]]:

@@ -22,8 +22,8 @@ class Tuned(Protocol):
         ...
 
     @property
-    def actuators(self) -> Sequence[Any]:
-        """One entry for each."""
+    def commands(self) -> Sequence[Any]:
+        """One entry for each number that its actuators are told."""
         ...
 
     def problem(self, path: str, value: Any, rule: str) -> Problem:

@@ -12,6 +12,7 @@ from bumpless.config.parameters.allocation import AllocationParameters
 from bumpless.config.parameters.docking import DockingParameters
 from bumpless.config.parameters.guidance import GuidanceParameters
 from bumpless.config.parameters.modes import ModeParameters
+from bumpless.config.parameters.navigation import NavigationParameters
 from bumpless.config.parameters.supervisor import SupervisorParameters
 from bumpless.config.parameters.switching import BumplessParameters
 
@@ -27,6 +28,7 @@ class Parameters:
     bumpless: Annotated[BumplessParameters, Part("What makes switches bumpless")]
     allocation: Annotated[AllocationParameters, Part("Allocation of the demand to the actuators")]
     guidance: Annotated[GuidanceParameters, Part("References, and how gains follow speed")]
+    navigation: Annotated[NavigationParameters, Part("What the sensors are believed")]
 
     docking: Annotated[
         DockingParameters, Part("How a dock is approached, and when an approach is given up")

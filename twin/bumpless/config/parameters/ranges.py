@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from bumpless.config.declare import Number, Row, fields_of
 from bumpless.config.parameters.model import Parameters
 
-ACTUATORS = -1  # as a count: one number per actuator
+ACTUATORS = -1  # as a count: one number per command
 
 
 @dataclass(frozen=True)
@@ -17,7 +17,7 @@ class Range:
     min: float
     max: float
     label: str
-    count: int  # 0: one number; 6: one per wrench component; ACTUATORS: one per actuator
+    count: int  # 0: one number; 6: one per wrench component; ACTUATORS: one per command
     live: bool  # may change during a mission
 
 

@@ -9,12 +9,13 @@ from bumpless.config.vehicle.load import (
     vehicle_names,
 )
 from bumpless.config.vehicle.model import Vehicle
-from bumpless.config.vehicle.parts import Actuator, Fin, MyringHull, TabulatedHull, Thruster
+from bumpless.config.vehicle.parts import Actuator, Command, Fin, MyringHull, TabulatedHull, Thruster
 
 __all__ = [
     "FOLDER",
     "WRENCH",
     "Actuator",
+    "Command",
     "Fin",
     "MyringHull",
     "TabulatedHull",

@@ -10,7 +10,7 @@ from bumpless.config.names import WRENCH
 from bumpless.config.parameters import Parameters
 from bumpless.config.problems import Problem
 from bumpless.config.vehicle.body import Appendage, Environment, Hull, Mass
-from bumpless.config.vehicle.parts import Actuator
+from bumpless.config.vehicle.parts import Actuator, Command
 from bumpless.config.vehicle.places import Places
 from bumpless.config.vehicle.sensors import Sensors
 
@@ -45,6 +45,7 @@ class Document:
 class Vehicle(Document):
     """A vehicle, checked, with the text that it was read from.
 
+    Actuators stand in the file's order, and their commands one after the other: the order of u everywhere.
     `control` holds the raw tables of the control parameters; `parameters.default_parameters` reads them.
     """
 
@@ -56,6 +57,16 @@ class Vehicle(Document):
     def sha256(self) -> str:
         """Hash of the text: the vehicle's identity."""
         return hashlib.sha256(self.text.encode()).hexdigest()
+
+    @property
+    def commands(self) -> tuple[Command, ...]:
+        """Every command of every actuator, in the order of u."""
+        return tuple(command for actuator in self.actuators for command in actuator.commands)
+
+    def slots(self, kind: str) -> list[int]:
+        """Places in u of the commands of all actuators of a kind ("fin", "thruster")."""
+        kinds = [actuator.kind for actuator in self.actuators for _ in actuator.commands]
+        return [i for i, name in enumerate(kinds) if name == kind]
 
     def problem(self, path: str, value: Any, rule: str) -> Problem:
         """A broken rule at the place of `path` in the vehicle's files."""

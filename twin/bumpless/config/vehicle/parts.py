@@ -1,14 +1,15 @@
 """The actuators of a vehicle as its file describes them: every field carries its unit in its name.
 
 A new kind is a class under `@model` with a `kind` of its own word, and its name in `Actuator` below. Reader,
-schema, catalogue and reference then know it. The class must also have `unit` (of its command),
-`command_min`, `command_max`, `position_m` and `direction`.
+schema, catalogue and reference then know it. The class must also have `commands`, `position_m` and
+`direction`. What it does is told to `bumpless.physics.actuators`; the way: docs/add_actuator_kind.md.
 
-Body axes: x forward, y starboard, z down, origin O_b. Files use degrees and rpm; `physics.model` converts.
+Body axes: x forward, y starboard, z down, origin O_b. Files use degrees and rpm; each kind's `fill` converts.
 """
 
 import math
-from typing import Annotated, ClassVar, Literal
+from dataclasses import dataclass
+from typing import Annotated, Literal
 
 from pydantic import Field
 
@@ -25,6 +26,17 @@ from bumpless.config.vehicle.body import TabulatedHull as TabulatedHull
 def actuator_name() -> Text:
     """The name by which missions, messages and screens know an actuator."""
     return Text("Name", pattern=".+", form="must not be empty")
+
+
+@dataclass(frozen=True)
+class Command:
+    """One number that an actuator is told: one entry of u, one row on the screen."""
+
+    name: str
+    actuator: str  # whose it is
+    unit: str  # "deg" or "rpm"
+    lower: float  # bounds in `unit`
+    upper: float
 
 
 @model
@@ -54,8 +66,6 @@ class Fin:
     reverse_lift_share: Annotated[float, Number("Share of the lift in reversed flow", "", 0.0, 1.0)]
     cross_flow_drag_coefficient: Annotated[float, Number("c_df, of flow across the plate", "", 0.0, 3.0)]
 
-    unit: ClassVar[str] = "deg"
-
     @property
     def position_m(self) -> tuple[float, float, float]:
         """Where lift acts, in body axes."""
@@ -69,30 +79,22 @@ class Fin:
         return (0.0, math.cos(a), math.sin(a))
 
     @property
-    def command_min(self) -> float:
-        """Lower bound in `unit`."""
-        return -self.deflection_max_deg
-
-    @property
-    def command_max(self) -> float:
-        """Upper bound in `unit`."""
-        return self.deflection_max_deg
+    def commands(self) -> tuple[Command, ...]:
+        """The deflection."""
+        limit = self.deflection_max_deg
+        return (Command(self.name, self.name, "deg", -limit, limit),)
 
 
 @model
-class Thruster:
-    """A screw with thrust along `direction`; K_T and K_Q fall linearly with the advance ratio.
+class Screw:
+    """What every screw has; K_T and K_Q fall linearly with the advance ratio.
 
     Source: Gao et al. 2026, eqs. (8)-(12).
     """
 
     name: Annotated[str, actuator_name()]
-    kind: Annotated[Literal["thruster"], Choice("Kind of actuator")]
+    kind: Annotated[str, Text("Kind of actuator")]
     position_m: Annotated[tuple[float, float, float], Row("Where it is", "m", names=BODY)]
-    direction: Annotated[
-        tuple[float, float, float],
-        Row("Where positive thrust pushes", names=BODY, nonzero=True, help="Normalised on use."),
-    ]
     diameter_m: Annotated[float, Number("Diameter", "m", above=0.0)]
     thrust_coefficient: Annotated[float, Number("K_T at J = 0", "", above=0.0)]
     thrust_slope: Annotated[float, Number("-dK_T/dJ", "", 0.0)]
@@ -103,7 +105,7 @@ class Thruster:
     ]
     wake_fraction: Annotated[
         float,
-        Number("w, wake fraction", "", 0.0, 0.9, help="V_A = (1 - w) times the flow along `direction`."),
+        Number("w, wake fraction", "", 0.0, 0.9, help="V_A = (1 - w) times the flow along the thrust."),
     ]
     hand: Annotated[
         Literal["right", "left", "balanced"],
@@ -116,17 +118,45 @@ class Thruster:
     ]
     time_constant_s: Annotated[float, Number("Time constant", "s", above=0.0)]
 
-    unit: ClassVar[str] = "rpm"
+
+@model
+class Thruster(Screw):
+    """A screw that pushes along `direction`."""
+
+    kind: Annotated[Literal["thruster"], Choice("Kind of actuator")]
+    direction: Annotated[
+        tuple[float, float, float],
+        Row("Where positive thrust pushes", names=BODY, nonzero=True, help="Normalised on use."),
+    ]
 
     @property
-    def command_min(self) -> float:
-        """Lower bound in `unit`."""
-        return self.shaft_speed_min_rpm
+    def commands(self) -> tuple[Command, ...]:
+        """The shaft speed."""
+        return (Command(self.name, self.name, "rpm", self.shaft_speed_min_rpm, self.shaft_speed_max_rpm),)
+
+
+@model
+class Azimuth(Screw):
+    """A screw in a pod that turns: at the angle 0 it pushes along x_b, at +90 deg along y_b."""
+
+    kind: Annotated[Literal["azimuth"], Choice("Kind of actuator")]
+    angle_max_deg: Annotated[float, Number("Largest angle, to either side", "deg", max=180.0, above=0.0)]
+    angle_rate_degps: Annotated[float, Number("Fastest change of the angle", "deg/s", above=0.0)]
+    angle_time_constant_s: Annotated[float, Number("Time constant of the angle", "s", above=0.0)]
 
     @property
-    def command_max(self) -> float:
-        """Upper bound in `unit`."""
-        return self.shaft_speed_max_rpm
+    def direction(self) -> tuple[float, float, float]:
+        """Unit vector of thrust at the angle 0, in body axes."""
+        return (1.0, 0.0, 0.0)
+
+    @property
+    def commands(self) -> tuple[Command, ...]:
+        """The shaft speed, then the angle."""
+        speed, angle, limit = f"{self.name}_speed", f"{self.name}_angle", self.angle_max_deg
+        return (
+            Command(speed, self.name, "rpm", self.shaft_speed_min_rpm, self.shaft_speed_max_rpm),
+            Command(angle, self.name, "deg", -limit, limit),
+        )
 
 
-Actuator = Annotated[Fin | Thruster, Field(discriminator="kind")]
+Actuator = Annotated[Fin | Thruster | Azimuth, Field(discriminator="kind")]

@@ -1,15 +1,16 @@
 """What the paper compares with: a direct PID mapping (S1) and a weighted pseudo-inverse (S2).
 
 Source: Gao et al. 2026, sec. 4.2 and table 5. Neither knows bounds: commands are clipped afterwards.
+Both are linear at rest, where only the first command of an actuator has an effect: a pod stays straight.
 """
 
 import numpy as np
 
 from bumpless.contract.enums import SOLVED
 from bumpless.control.allocation.record import SPEED_LINEAR
-from bumpless.control.allocation.wrench_map import to_command, to_x, wrench_map
+from bumpless.control.allocation.wrench_map import wrench_map
 from bumpless.jit import jit
-from bumpless.physics.model_record import FIN
+from bumpless.physics.actuators import to_command, to_x
 
 _DAMPING = 1e-6
 
@@ -79,7 +80,7 @@ def allocate_wls(model, problem, solution, w):
     n = model.n_u
     p = problem
     for i in range(n):
-        w.x[i], w.trial[i] = 0.0, 1.0
+        w.x[i], w.trial[i] = 0.0, 1.0 if model.part[i] == 0 else 0.0
     wrench_map(model, w.x, p.u_previous, p.effectiveness, p.nu_flow, w.tau, w.jacobian)
     for k in range(6):
         w.demand[k] = p.tau_d[k] - w.tau[k]
@@ -91,37 +92,38 @@ def allocate_wls(model, problem, solution, w):
 def allocate_direct(direct_map, surge, model, problem, solution, w):
     """Each PID channel drives its own actuators through a mixer made for the speed `surge`, m/s.
 
-    Forces go to the thrusters and moments to the fins, if there are any of both; neither group
+    Forces go to what pushes and moments to what steers, if there are any of both; neither group
     knows what the other, the drag or the present flow does. A thruster's demand becomes thrust
     (THRUST_LINEAR) or, as a PID output scaled to the shaft's range, shaft speed (SPEED_LINEAR).
     """
     n = model.n_u
-    fins, thrusters = 0, 0
+    steering, pushing = 0, 0
     for i in range(n):
         w.at_rest[i] = 0.0
         w.x[i] = 0.0
-        if model.kind[i] == FIN:
-            fins += 1
+        if model.steers[i] == 1:
+            steering += 1
         else:
-            thrusters += 1
+            pushing += 1
     for k in range(6):
         w.flow[k] = 0.0
     w.flow[0] = surge
     w.healthy[:] = 1.0
     wrench_map(model, w.x, w.at_rest, w.healthy, w.flow, w.tau, w.jacobian)
-    if fins == 0 or thrusters == 0:
-        w.trial[:] = 1.0
+    if steering == 0 or pushing == 0:
+        for i in range(n):
+            w.trial[i] = 1.0 if model.part[i] == 0 else 0.0
         _pseudo_inverse(model, problem.R, w, problem.tau_d, model.controllable, w.trial, w.x)
     else:
         for group in range(2):
             for k in range(6):
                 w.channel[k] = model.controllable[k] if (k < 3) == (group == 0) else 0.0
             for i in range(n):
-                w.trial[i] = 1.0 if (model.kind[i] == FIN) == (group == 1) else 0.0
+                w.trial[i] = 1.0 if model.steers[i] == group and model.part[i] == 0 else 0.0
             _pseudo_inverse(model, problem.R, w, problem.tau_d, w.channel, w.trial, w.x)
     if direct_map == SPEED_LINEAR:
         for i in range(n):
-            if model.kind[i] != FIN:
+            if model.steers[i] == 0:
                 share = min(max(w.x[i], -1.0), 1.0)
                 w.x[i] = to_x(model, i, share * model.command_max[i])
     _apply(model, problem, w.x, solution)

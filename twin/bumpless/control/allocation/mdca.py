@@ -15,15 +15,14 @@ from bumpless.control.allocation.curvature import descent_curvature, residual_cu
 from bumpless.control.allocation.kkt import kkt_residual
 from bumpless.control.allocation.qp import solve_box_qp
 from bumpless.control.allocation.qp_active_set import solve_active_set
-from bumpless.control.allocation.wrench_map import to_command, to_x, wrench_map
+from bumpless.control.allocation.wrench_map import wrench_map
 from bumpless.jit import jit
-from bumpless.physics.model_record import FIN
+from bumpless.physics.actuators import command_slope, to_command, to_x
 
 _BACKTRACKS = 6
 _NEAR = 1e-3  # KKT residual from which a saddle is looked for: Newton's steps towards one are wasted
 _ROOM = 1e-6  # share of its range that a command must have on both sides to count as free
 _ROUNDING = 1e-12  # share of the cost that no step can gain any more
-_LEAST = 1e-3  # thrust share at which a screw that is not eased counts as one that is, in the price
 _HOLD = 1.0  # s for which the last command is held when demands are refused
 
 
@@ -32,11 +31,7 @@ def increment_prices(model, mu, x_previous, n, price):
     """price (8,) = mu (du/dx)^2 at the last command: what an increment of x costs, so that mu prices those of
     commands over their bounds. A screw near zero, where its speed changes fastest, pays most."""
     for i in range(n):
-        slope = 1.0
-        if mu > 0.0 and model.kind[i] != FIN:
-            y = x_previous[i] ** 2
-            z = max(model.smoothing, _LEAST) ** 2
-            slope = (0.5 * y + z) / (y + z) ** 1.25
+        slope = command_slope(model, i, x_previous[i]) if mu > 0.0 else 1.0
         price[i] = mu * slope * slope
 
 
@@ -89,18 +84,23 @@ def normal_equations(Q, R, lam, tau_d, tau, jacobian, x, n, H, g):
 @jit
 def add_curvature(model, problem, w, x, n):
     """Add the second-order term to w.H: all of it where H stays positive definite, else what is positive."""
+    p = problem
     for k in range(6):
-        w.weight[k] = problem.Q[k] * (problem.tau_d[k] - w.tau[k])
-    residual_curvature(model, x, problem.effectiveness, problem.nu_flow, w.weight, w.curvature)
+        w.weight[k] = p.Q[k] * (p.tau_d[k] - w.tau[k])
+    residual_curvature(model, x, p.u_previous, p.effectiveness, p.nu_flow, w.weight, w.curvature, w.coupling)
     least = 0.0
     for i in range(n):
         w.free[i] = 1
-        least = min(least, w.curvature[i])
-    convex = least == 0.0 or descent_curvature(w.H, w.curvature, w.free, n, w.trial)
+        least = min(least, w.curvature[i], -abs(w.coupling[i]))
+    convex = least == 0.0 or descent_curvature(w.H, w.curvature, w.coupling, w.free, n, w.trial)
     for i in range(n):
         added = w.curvature[i] if convex else max(w.curvature[i], 0.0)
         w.H[i, i] += added
         w.curvature[i] -= added
+        if convex and w.coupling[i] != 0.0:
+            w.H[i, i + 1] += w.coupling[i]
+            w.H[i + 1, i] += w.coupling[i]
+            w.coupling[i] = 0.0
 
 
 @jit
@@ -123,8 +123,8 @@ def leave_saddle(model, problem, w, x, cost, n):
     for i in range(n):
         room = min(x[i] - w.lower[i], w.upper[i] - x[i])
         w.free[i] = 1 if room > _ROOM else 0
-        least = min(least, w.curvature[i])
-    if least == 0.0 or descent_curvature(w.H, w.curvature, w.free, n, w.step):
+        least = min(least, w.curvature[i], -abs(w.coupling[i]))
+    if least == 0.0 or descent_curvature(w.H, w.curvature, w.coupling, w.free, n, w.step):
         return cost
     reach = 1e9
     for i in range(n):

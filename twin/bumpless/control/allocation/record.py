@@ -65,7 +65,8 @@ ALLOCATION_WORK = np.dtype(
         ("x_previous", f8, _n),
         ("at_rest", f8, _n),
         ("healthy", f8, _n),
-        ("curvature", f8, _n),
+        ("curvature", f8, _n),  # second-order term of the cost, on the diagonal
+        ("coupling", f8, _n),  # the same between slot i and the next
         ("free", i8, _n),
         ("weight", f8, 6),
         ("lb", f8, _n),

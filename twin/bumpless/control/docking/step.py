@@ -23,10 +23,13 @@ _IN_PLACE_M, _IN_PLACE_RAD, _IN_PLACE_MPS = 0.13, 0.08, 0.045  # a little inside
 
 
 @jit
-def look_docking(dt, plan, m, s, situation, view):
-    """Fill the observation point for the approach heading in use, the range to it (3-D, m) and the view."""
+def look_docking(dt, plan, sighted, s, situation, view):
+    """Fill the observation point for the approach heading in use, the range to it (3-D, m) and the view.
+
+    sighted: 1 in a cycle with a camera frame that shows the target where it may be.
+    """
     docking, navigation, station = s.docking, s.navigation, situation.station
-    docking.fix_age = 0 if m.fresh == 1 and m.detected == 1 else docking.fix_age + 1
+    docking.fix_age = 0 if sighted == 1 else docking.fix_age + 1
     see_line(dt, plan, navigation, s.supervisor.detected, station, docking, view)
     smooth_lateral(dt, navigation, docking)
     station[3], eta = docking.heading, navigation.eta

@@ -3,8 +3,8 @@
 from math import sqrt
 
 from bumpless.jit import jit
-from bumpless.physics.actuators import wrench_of
-from bumpless.physics.model_record import FIN
+from bumpless.physics.actuators import FIN
+from bumpless.physics.actuators.fin import wrench
 
 _TURNING = 0.1  # rad of heading error above which nothing is learnt of the yaw trim
 _LEAST_SHARE = 1e-3  # of the schedule
@@ -56,7 +56,7 @@ def fin_lift(model, u, effectiveness, nu_flow):
     lift = 0.0
     for i in range(model.n_u):
         if model.kind[i] == FIN:
-            _, _, z, _, _, _ = wrench_of(model, i, u[i], nu_flow)
+            _, _, z, _, _, _ = wrench(model, i, u, nu_flow)
             lift += effectiveness[i] * z
     return lift
 

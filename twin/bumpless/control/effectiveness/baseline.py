@@ -59,7 +59,7 @@ def model_forces(model, m, navigation, loss, w):
     for i in range(model.n_u):
         for k in range(6):
             w.wrench[i, k] = 0.0
-        actuator_wrench(model, i, m.u_feedback[i], w.nu_r, w.wrench[i])
+        actuator_wrench(model, i, m.u_feedback, w.nu_r, w.wrench[i])
         for k in range(6):
             w.force[k] += (1.0 - loss[i]) * w.wrench[i, k]
     for k in range(6):

@@ -11,7 +11,6 @@ Source: Willsky and Jones 1976, IEEE Trans. Autom. Control 21(1); Friedland 1969
 """
 
 from bumpless.control.effectiveness.record import (
-    FIN_EVIDENCE,
     HEALTHY_LOSS,
     HEALTHY_S,
     LARGEST_STD,
@@ -25,7 +24,6 @@ from bumpless.control.effectiveness.record import (
 )
 from bumpless.jit import inline, jit
 from bumpless.physics.lag import decay
-from bumpless.physics.model_record import FIN
 
 
 @jit
@@ -113,7 +111,7 @@ def weigh_hypotheses(model, e, w):
     most, or (-1, 0), and the evidence of the next best actuator."""
     best, best_slot, top, second = -1, 0, 0.0, 0.0
     for i in range(model.n_u):
-        trust = FIN_EVIDENCE if model.kind[i] == FIN else 1.0
+        trust = model.trust[i]
         e.evidence[i] = 0.0
         own_slot = 0
         for slot in range(SLOTS):

@@ -15,7 +15,6 @@ SLOT_S = 4.0  # s between the others: a jump is looked for over the last 8 to 12
 LEARN_S = 10.0  # s of baseline before the first alarm: trim, buoyancy and drag are unknown at the start
 PERSIST_S = 0.4  # s for which one actuator must stand out
 MARGIN = 3.0  # by which its evidence must exceed any other's
-FIN_EVIDENCE = 0.4  # share that counts: the flow at a fin is known only by the estimated velocity and current
 LEAST_LOSS = 0.15  # smaller jumps are left to the baseline
 LARGEST_STD = 0.2  # an estimate less certain than this raises no alarm
 HEALTHY_LOSS, HEALTHY_S = 0.1, 2.0  # a fault is over when the loss stays below for this time

@@ -1,0 +1,72 @@
+"""Rows about campaigns: many docking missions on two workers, and two workers beside one."""
+
+import os
+import resource
+import tempfile
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from bumpless.campaign.cluster import opened as cluster
+from bumpless.campaign.fly import fly_missing
+from bumpless.campaign.prepared import Prepared
+from bumpless.campaign.read import load_campaign
+from bumpless.campaign.report import write_report
+from bumpless.campaign.store import opened as store
+from bumpless.config.mission import missions_folder
+from tests.bench.figure import Figure, figure
+
+FILE = missions_folder() / "campaigns" / "docking_currents.yaml"
+
+
+@dataclass(frozen=True)
+class Flown:
+    """One campaign: seconds from nothing to the page, of them flying, and CPU seconds of all processes."""
+
+    wall_s: float
+    flying_s: float
+    cpu_s: float
+
+
+def figures(count: int) -> Iterator[Figure]:
+    """Rows of `count` docking missions in drawn currents, on two workers and on one."""
+    loaded = load_campaign(FILE)
+    prepared = Prepared(replace(loaded.campaign, count=count), loaded.setups)
+    two, one = _flown(prepared, 2), _flown(prepared, 1)
+    wall, title = (90.0, f"{count:,} docking missions, drawn currents, two workers, start to page")
+    goal = wall * count / 10_000
+    yield figure("campaign_s", title, [two.wall_s], "s", at_most=goal)
+    yield figure("campaign_one_s", "the same on one worker", [one.wall_s], "s")
+    yield figure("campaign_cpu_ms", "CPU per mission, all processes", [two.cpu_s / count * 1e3], "ms")
+    yield figure(
+        "campaign_two_vs_one",
+        "missions a second, two workers against one",
+        [one.flying_s / two.flying_s],
+        "×",
+        at_least=1.8,
+    )
+    load = os.getloadavg()[0]
+    yield figure("campaign_load", "load of the machine at the end, ours included", [load], "processes")
+
+
+def _flown(prepared: Prepared, workers: int) -> Flown:
+    with tempfile.TemporaryDirectory() as folder:
+        begin, cpu = time.perf_counter(), _cpu_s()
+        with store(Path(folder), prepared, False) as kept:
+            with cluster(workers=workers) as client:
+                flying = _timed(lambda: fly_missing(prepared, kept, client))
+            write_report(prepared, kept, FILE.name)
+        return Flown(time.perf_counter() - begin, flying, _cpu_s() - cpu)
+
+
+def _timed(work: Callable[[], object]) -> float:
+    begin = time.perf_counter()
+    work()
+    return time.perf_counter() - begin
+
+
+def _cpu_s() -> float:
+    """CPU of this process and of its children that have ended."""
+    used = [resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
+    return sum(u.ru_utime + u.ru_stime for u in used)

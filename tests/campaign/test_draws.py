@@ -1,0 +1,121 @@
+"""Draws by number."""
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+from scipy.stats import kstest
+
+from bumpless.campaign.distributions import Choice, LogUniform, Normal, Uniform
+from bumpless.campaign.drawn import drawn_mission, relative_current
+from bumpless.campaign.draws import draw, flight_seed, share
+from bumpless.campaign.mission_text import mission_text
+from bumpless.campaign.prepared import Prepared
+from bumpless.campaign.quantities import QUANTITIES
+from bumpless.config.mission import parse_mission, shipped_mission
+
+TABLE = {"lag": LogUniform(loguniform=(0.5, 2.0)), "mass": Uniform(uniform=(0.9, 1.1))}
+
+
+def test_a_draw_is_always_the_same():
+    """Protects: published results can be flown again; another hash or stream would change all."""
+    assert share(1, 2, "lag") == 0.7467762947954667
+    assert flight_seed(1, 2) == 108069693
+
+
+def test_a_draw_depends_on_nothing_else():
+    """Protects: a quantity added, or another order, leaves the other quantities as they were."""
+    both, one = draw(TABLE, 3, 11), draw({"mass": TABLE["mass"]}, 3, 11)
+    assert both["mass"] == one["mass"]
+    assert draw(dict(reversed(TABLE.items())), 3, 11) == both
+
+
+def test_streams_are_independent():
+    """Protects: shares are uniform, and neither quantities nor neighbouring numbers move together."""
+    shares = np.array([[share(5, n, name) for name in ("lag", "mass")] for n in range(4000)])
+    assert kstest(shares[:, 0], "uniform").pvalue > 0.01
+    assert abs(np.corrcoef(shares.T)[0, 1]) < 0.05
+    assert abs(np.corrcoef(shares[:-1, 0], shares[1:, 0])[0, 1]) < 0.05
+    assert len({flight_seed(5, n) for n in range(4000)}) == 4000
+
+
+def test_distributions_follow_their_names():
+    """Protects: ends, medians and spread of each distribution."""
+    shares = (np.arange(4000) + 0.5) / 4000
+    normal = np.array([Normal(normal=(2.0, 0.5)).at(float(x)) for x in shares])
+    assert normal.mean() == pytest.approx(2.0, abs=1e-6)
+    assert normal.std() == pytest.approx(0.5, rel=0.03)
+    assert (np.abs(normal - 2.0) <= 1.5 + 1e-9).all()
+    assert LogUniform(loguniform=(0.5, 2.0)).at(0.5) == pytest.approx(1.0)
+    assert Uniform(uniform=(-1.0, 3.0)).at(0.25) == 0.0
+    assert [Choice(choice=(1.0, 2.0, 4.0)).at(x) for x in (0.0, 0.5, 0.999999)] == [1.0, 2.0, 4.0]
+
+
+def test_current_is_relative_to_the_approach():
+    """Protects: 180 degrees is a head current whatever the approach heading, and the map reads it back."""
+    mission = drawn_mission(
+        shipped_mission("docking"),
+        {"target_turn_deg": 90.0, "current_speed_mps": 0.2, "current_relative_deg": 180.0},
+    )
+    assert mission.environment.current_ned_mps[:2] == pytest.approx((0.0, -0.2))
+    assert relative_current(mission) == pytest.approx((0.2, 180.0))
+
+
+def test_target_is_moved_in_approach_axes():
+    """Protects: `across` is to starboard of the way in."""
+    mission = drawn_mission(
+        shipped_mission("docking"), {"target_turn_deg": 90.0, "target_along_m": 1.0, "target_across_m": 2.0}
+    )
+    assert mission.target.true_offset_ned_m == pytest.approx((-2.0, 1.0, 0.0))
+
+
+def test_start_and_faults_are_drawn():
+    """Protects: what is drawn reaches the mission's own fields."""
+    mission = drawn_mission(
+        shipped_mission("docking"),
+        {
+            "start_abeam_m": 2.0,
+            "start_turn_deg": 10.0,
+            "fault_actuator": "n_p",
+            "fault_at_s": 20.0,
+            "fault_effectiveness": 0.5,
+            "outage_at_s": 30.0,
+            "outage_length_s": 4.0,
+        },
+    )
+    assert mission.start.position_ned_m == pytest.approx((0.0, 2.0, 2.0))
+    assert mission.start.heading_deg == pytest.approx(10.0)
+    assert (mission.faults[0].actuator, mission.faults[0].at_s) == ("n_p", 20.0)
+    assert (mission.sensors.outages[0].from_s, mission.sensors.outages[0].to_s) == (30.0, 34.0)
+
+
+@pytest.mark.parametrize("name", ["docking", "docking_current", "s6_fault_tolerant", "tank1"])
+def test_mission_text_reads_back(name):
+    """Protects: the log of a flight that is flown again carries exactly the mission that was flown."""
+    from dataclasses import replace
+
+    mission = shipped_mission(name)
+    again = parse_mission(mission_text(mission), mission.source)
+    assert replace(again, text=mission.text) == mission
+
+
+def test_every_quantity_changes_a_flight(campaign: Callable[..., Prepared], ts100):
+    """Protects: no quantity of the table is without effect."""
+    from bumpless.campaign.drawn import drawn_vehicle
+    from bumpless.campaign.plant import Alteration
+
+    mission = drawn_mission(
+        shipped_mission("docking"),
+        {"wave_height_m": 0.1, "fault_actuator": "n_p", "fault_at_s": 9.0, "fault_effectiveness": 0.5},
+    )
+    for name, quantity in QUANTITIES.items():
+        value = "n_v1" if name == "fault_actuator" else 1.25 if quantity.factor else max(0.3, quantity.low)
+        values = {name: value}
+        if name.startswith(("current_speed", "current_relative")):
+            values = {"current_speed_mps": 0.1, "current_relative_deg": 10.0} | values
+        if name.startswith("outage"):
+            values = {"outage_at_s": 1.0, "outage_length_s": 2.0} | values
+        if name.startswith("ballast"):
+            values = {"ballast_n": 0.1, "ballast_x_m": 0.1} | values
+        changed = (drawn_mission(mission, values), drawn_vehicle(ts100, values), Alteration.of(values))
+        assert changed != (mission, ts100, Alteration()), name

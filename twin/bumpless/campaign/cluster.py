@@ -1,0 +1,69 @@
+"""Where jobs run: a Dask cluster of this machine's own processes, or any scheduler by its address."""
+
+import logging
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager
+from functools import cache
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from distributed import Client, LocalCluster
+
+ANSWER_S = 10.0  # how long a scheduler may take to answer
+
+
+class ClusterError(RuntimeError):
+    """No cluster to fly on, or it went away."""
+
+
+@contextmanager
+def opened(address: str | None = None, workers: int | None = None) -> "Iterator[Client]":
+    """A client of the scheduler at `address`, or of `workers` processes started here (None: one per core)."""
+    logging.getLogger("distributed").setLevel(logging.CRITICAL)  # what matters is raised
+    if address is not None:
+        with _reached(address) as client:
+            yield client
+        return
+    from distributed import Client
+
+    with _local(workers or os.cpu_count() or 1) as cluster, Client(cluster) as client:
+        yield client
+
+
+@cache
+def kept(workers: int) -> "Client":
+    """A client of `workers` local processes that stay until this process ends: for many small calls."""
+    from distributed import Client
+
+    return Client(_local(workers))
+
+
+def cores_of(client: "Client") -> int:
+    """How many jobs the cluster does at a time."""
+    return sum(worker["nthreads"] for worker in client.scheduler_info(n_workers=-1)["workers"].values()) or 1
+
+
+def _local(workers: int) -> "LocalCluster":
+    """Processes, one thread each: a flight holds no GIL while it flies, but its start and its end do."""
+    from distributed import LocalCluster
+
+    return LocalCluster(
+        n_workers=workers,
+        threads_per_worker=1,
+        processes=True,
+        host="127.0.0.1",
+        scheduler_kwargs={"dashboard": False, "dashboard_address": "127.0.0.1:0"},
+        memory_limit=0,
+        silence_logs=logging.CRITICAL,
+        preload=["bumpless.campaign.preload"],
+    )
+
+
+def _reached(address: str) -> "Client":
+    from distributed import Client
+
+    try:
+        return Client(address, timeout=ANSWER_S, set_as_default=False)
+    except (OSError, ValueError, TimeoutError) as error:
+        raise ClusterError(f"no Dask scheduler answers at {address}: {error}") from error

@@ -1,0 +1,1 @@
+"""Search parameters over drawn missions: outcome first, then tracking, smoothness and cost."""
