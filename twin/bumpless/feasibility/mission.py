@@ -7,7 +7,7 @@ from bumpless.config.parameters import Parameters, default_parameters, with_over
 from bumpless.config.vehicle import Vehicle, load_vehicle
 from bumpless.feasibility.finding import ERROR, WARNING, Finding
 from bumpless.feasibility.path import check_end, check_legs, check_time
-from bumpless.feasibility.sight import check_sight
+from bumpless.feasibility.sight import check_first_sight, check_sight
 from bumpless.feasibility.station import LASTS_S, Station, station_keeping
 
 DOCKED_S = 10.0  # in place that count as docked
@@ -23,6 +23,7 @@ def check_mission(mission: Mission, vehicle: Vehicle | None = None) -> tuple[Fin
         *check_time(mission, parameters),
         *check_end(mission),
         *check_sight(mission, vehicle, parameters),
+        *check_first_sight(mission, vehicle, parameters),
         *check_station(mission, vehicle, parameters),
     ]
     return tuple(sorted(found, key=lambda one: one.severity != ERROR))

@@ -51,3 +51,18 @@ def check_sight(mission: Mission, vehicle: Vehicle, parameters: Parameters) -> I
         elif near <= parameters.supervisor.range_fr_lower_m:
             text = f"The target is seen from here, {near:.1f} m away: the {last - i} legs left are skipped."
             yield Finding(WARNING, "legs_skipped", field, text, "Keep this leg farther from the target.")
+
+
+def check_first_sight(mission: Mission, vehicle: Vehicle, parameters: Parameters) -> Iterator[Finding]:
+    """Is the target seen early enough on the approach line, at the camera's range and in this water?"""
+    if not parameters.docking.enabled:
+        return
+    sensors: Any = sensors_of(vehicle, mission).view(np.recarray)[0]
+    reach, murk = float(sensors.camera_range_max[0]), mission.environment.beam_attenuation_per_m
+    if murk > 0.0:
+        reach = min(reach, float(sensors.camera_sight) / murk)
+    left = reach - mission.target.standoff_m + float(sensors.camera_position[0][0])
+    if left < parameters.docking.break_off_m:
+        text = f"The target is seen {left:.1f} m before the observation point, past the place to break off."
+        field = "parameters.docking.break_off_m"
+        yield Finding(WARNING, "seen_too_late", field, text, f"Set it to {max(left - 1.0, 0.5):.1f} m.")

@@ -125,6 +125,9 @@ class DockingParameters:
     lag_most_mps: Annotated[
         float, pace("Speed error that counts as a fault", "lag_most", "Smoothed over 4 s; twice it in F.")
     ] = 0.08
+    lag_near_mps: Annotated[
+        float, pace("Too fast by this, close by, counts as a fault of the brake", "lag_near")
+    ] = 0.035
     hold_distance_m: Annotated[float, way("Hold point, where a wave-off ends", "hold_distance")] = 9.0
     back_speed_mps: Annotated[float, pace("Speed astern in still water", "back_speed")] = 0.15
     # references
@@ -148,7 +151,7 @@ class DockingParameters:
         0.15
     )
     pitch_flow_high_mps: Annotated[float, pace("Flow where it holds it alone", "pitch_flow_high")] = 0.4
-    pitch_integral: Annotated[float, share("Heave integration that pitch takes away", "pitch_integral")] = 0.8
+    pitch_integral: Annotated[float, share("Heave integration that pitch takes away", "pitch_integral")] = 0.3
     pitch_lead_s: Annotated[float, spell("Lead of depth rate", "pitch_lead")] = 1.5
     pitch_feed: Annotated[float, share("Depth reference's rate fed forward", "pitch_feed")] = 0.0
     depth_rate_pitch_mps: Annotated[

@@ -79,7 +79,8 @@ def fault_of(dt, settings, view, docking):
         return OFF_DEPTH
     if docking.gate_cycles * dt > settings.patience:
         return STUCK_AT_GATE
-    if abs(docking.surge_lag) > settings.lag_most:
+    fast = -docking.surge_lag > settings.lag_near and view.left < settings.gate_distance + 1.0
+    if abs(docking.surge_lag) > settings.lag_most or fast:
         return TOO_SLOW
     return 0
 

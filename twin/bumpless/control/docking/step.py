@@ -85,5 +85,5 @@ def trim_docking(settings, model, schedule, s, view, gains):
     reference, navigation = s.guidance.reference, s.navigation
     note_schedule(schedule, view, s.docking)
     note_lag(settings.dt, reference[0], navigation.nu[0], s.docking)
-    e_psi = s.pid.smooth.e[5]
-    trim_gains(settings.docking, model, navigation, reference[0], e_psi, view, s.docking, gains)
+    errors, z_force = s.pid.smooth, s.switching.now.tau_d[2]
+    trim_gains(settings.docking, model, navigation, reference[0], errors, z_force, view, s.docking, gains)

@@ -7,6 +7,7 @@ from bumpless.physics.actuators import FIN
 from bumpless.physics.actuators.fin import wrench
 
 _TURNING = 0.1  # rad of heading error above which nothing is learnt of the yaw trim
+_FULL = 0.95  # share of the limit in heave at which the verticals are at their end
 _LEAST_SHARE = 1e-3  # of the schedule
 _HEAVE_LEFT = 0.05  # share of heave's weight that stays where pitch has depth
 
@@ -31,20 +32,22 @@ def surge_feed(settings, model, u_d, u_dot, nu_c):
 
 
 @jit
-def trim_gains(settings, model, navigation, u_d, e_psi, view, docking, gains):
+def trim_gains(settings, model, navigation, u_d, errors, z_force, view, docking, gains):
     """Change the GAINS record for docking: depth goes from heave to pitch, the yaw integral with the flow.
 
-    settings: DOCKING_SETTINGS; u_d: m/s; e_psi: smoothed heading error, rad.
+    settings: DOCKING_SETTINGS; u_d: m/s; errors: the PID's smoothed ERRORS; z_force: last demand in heave, N.
     """
     share = docking.pitch_share
     gains.share[2] *= 1.0 - share
     gains.K_I[2] *= 0.0 if view.depth_moves == 1 else 1.0 - settings.pitch_integral * share
-    gains.windup[2] *= 1.0 - share
+    gains.windup[2] = 0.0  # draining the integral would give up the load that the verticals carry
+    if abs(z_force) > _FULL * gains.demand_limit[2] and errors.e[2] * z_force > 0.0:
+        gains.K_I[2] = 0.0
     for i in range(4, 6):
         if gains.share[i] > 0.0:
             gains.K_D[i] /= sqrt(gains.share[i])  # moments of damping go with U, not U^2
     gains.stays[5] = view.schedule_fall  # a trim of the fins: it goes with the flow
-    if abs(e_psi) > _TURNING:
+    if abs(errors.e[5]) > _TURNING:
         gains.K_I[5] = 0.0
     nu_c = navigation.nu[0] - navigation.smooth_nu_r[0]
     gains.ahead[0] = surge_feed(settings, model, u_d, docking.u_dot, nu_c)
