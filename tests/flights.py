@@ -1,5 +1,6 @@
 """Fixtures: a vehicle and a flown mission that many rooms' tests look at; each is made once."""
 
+import json
 from pathlib import Path
 
 import numpy as np
@@ -9,6 +10,7 @@ from bumpless.config.mission import Mission, parse_mission
 from bumpless.config.vehicle import Vehicle, load_vehicle
 from bumpless.physics.model import build_model
 from bumpless.sim.twin import Result, simulate
+from bumpless_paper.study.gains import STUDY_GAINS
 
 MISSIONS = Path(__file__).parents[1] / "missions"
 
@@ -26,6 +28,13 @@ def model(ts100: Vehicle) -> np.record:
 @pytest.fixture(scope="session")
 def docking(ts100: Vehicle) -> Mission:
     return parse_mission((MISSIONS / "docking.yaml").read_text(), "docking.yaml", ts100)
+
+
+@pytest.fixture(scope="session")
+def published(docking: Mission, ts100: Vehicle) -> Mission:
+    """The docking mission as the paper flies it: the published automaton, guidance and the study's gains."""
+    text = docking.text + "parameters: " + json.dumps(STUDY_GAINS) + "\n"
+    return parse_mission(text, "published.yaml", ts100)
 
 
 @pytest.fixture(scope="session")

@@ -114,7 +114,7 @@ def test_pause_holds_and_resume_goes_on(ts100, model, docking):
     spread = np.linalg.norm(held["eta"][-200:, :2] - held["eta"][-1, :2], axis=1)
     assert spread.max() < 0.3
     twin.resume()
-    rest = np.array([twin.step().copy() for _ in range(900)])
+    rest = np.array([twin.step().copy() for _ in range(1400)])
     assert rest["mode"][-1] == HOVER
     assert_proposition_1(np.concatenate([held, rest]), model)
 
@@ -131,8 +131,9 @@ def test_abort_brings_every_actuator_to_rest_within_its_bounds(ts100, model, doc
     assert not log["u"][-1].any()
 
 
-def test_the_flight_switches_where_the_paper_does(flight):
+def test_the_published_flight_switches_where_the_paper_does(published, ts100):
     """Protects: F to R near 24 s and R to H near 46 s, ending at the observation point."""
+    flight = simulate(published, ts100)
     switches = {e.details["to"]: e.time_s for e in flight.events if e.code == "mode_switch"}
     assert switches["reverse"] == pytest.approx(24.0, abs=1.5)
     assert switches["hover"] == pytest.approx(46.0, abs=2.5)

@@ -6,14 +6,13 @@ import numpy as np
 import pytest
 
 from bumpless.config.capacity import MAX_ACTUATORS
-from bumpless.config.parameters import default_parameters
 from bumpless.contract.enums import FORWARD
 from bumpless.control.allocation.bounds import command_bounds, limited_channels
 from bumpless.control.allocation.wrench_map import wrench_map
 from bumpless.control.pid import ERRORS, PID_STATE, demand, note_unmet
 from bumpless.control.schedule import GAINS, schedule_gains
 from bumpless.control.settings import SETTINGS
-from bumpless.sim.twin import simulate
+from bumpless.sim.twin import parameters_for, simulate
 
 N = MAX_ACTUATORS
 SURGE, HEAVE, ROLL, PITCH, YAW = 0, 2, 3, 4, 5
@@ -55,16 +54,16 @@ def test_only_a_limited_channel_is_drained(model):
     assert (pid["integral"][1:] == 2.0).all()
 
 
-def test_aligned_demand_equals_the_wrench_before_the_switch(ts100, docking):
+def test_aligned_demand_equals_the_wrench_before_the_switch(ts100, published):
     """Protects: eq. (56) with the gains of the very cycle of the switch, though speed and so the schedule
     have changed since the last; without bleed and anti-windup nothing else moves the aligned channels."""
-    base = default_parameters(ts100)
+    base = parameters_for(ts100, published)
     parameters = replace(
         base,
         bumpless=replace(base.bumpless, integrator_alignment=True, align_bleed_s=0.0, scale_integration=True),
         allocation=replace(base.allocation, anti_windup_per_s=0.0),
     )
-    log = simulate(docking, ts100, parameters).log
+    log = simulate(published, ts100, parameters).log
     switches = np.flatnonzero(np.diff(log["mode"])) + 1
     assert len(switches) == 2
     for k in switches:

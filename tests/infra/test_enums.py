@@ -14,6 +14,8 @@ from bumpless.contract.modes import LOOKS
         (pb.MissionPhase, "MISSION_PHASE_"),
         (pb.SolveStatus, "SOLVE_STATUS_"),
         (pb.Severity, "SEVERITY_"),
+        (pb.DockingStage, "DOCKING_STAGE_"),
+        (pb.WaveOffReason, "WAVE_OFF_REASON_"),
     ],
 )
 def test_plain_numbers_are_the_contracts(kind, prefix) -> None:

@@ -21,10 +21,10 @@ def test_a_live_mission_lasts_its_duration_to_the_cycle(ts100, docking, seconds)
     assert steps == len(simulate(mission, ts100).log) == round(seconds / 0.05)
 
 
-def test_a_hold_starts_again_after_the_vehicle_was_out_of_range(ts100, docking):
+def test_a_hold_starts_again_after_the_vehicle_was_out_of_range(ts100, published):
     """Protects: "docked for 5 s" means five seconds on end: a vehicle that drifts out of range and back has
     not held its place, even when the dwell time kept it in hover meanwhile."""
-    mission = parse_mission(docking.text + "\nend: {hover_hold_s: 5}\n", "hold.yaml", ts100)
+    mission = parse_mission(published.text + "\nend: {hover_hold_s: 5}\n", "hold.yaml", ts100)
     twin = Twin(ts100)
     twin.start(mission)
     in_range, held, breaks = twin.parameters.supervisor.range_rh_upper_m, 0, 0

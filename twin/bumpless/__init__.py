@@ -24,7 +24,9 @@ if TYPE_CHECKING:
     from bumpless.config.problems import Problem, ProblemsError
     from bumpless.config.vehicle import Vehicle, VehicleError, load_vehicle, vehicle_names
     from bumpless.contract.extras import ExtraMissing
+    from bumpless.feasibility.finding import Finding
     from bumpless.metrics.outcome import Ending, Outcome
+    from bumpless.runs.checked import check
     from bumpless.runs.flight import fly, load_mission, open_run
     from bumpless.runs.info import RunInfo
     from bumpless.runs.run import NoFigures, Run
@@ -37,7 +39,9 @@ _PLACES = {
     "bumpless.config.problems": ("Problem", "ProblemsError"),
     "bumpless.config.vehicle": ("Vehicle", "VehicleError", "load_vehicle", "vehicle_names"),
     "bumpless.contract.extras": ("ExtraMissing",),
+    "bumpless.feasibility.finding": ("Finding",),
     "bumpless.metrics.outcome": ("Ending", "Outcome"),
+    "bumpless.runs.checked": ("check",),
     "bumpless.runs.flight": ("fly", "load_mission", "open_run"),
     "bumpless.runs.info": ("RunInfo",),
     "bumpless.runs.run": ("NoFigures", "Run"),
@@ -47,6 +51,7 @@ _HOMES = {name: place for place, names in _PLACES.items() for name in names}
 __all__ = [
     "Ending",
     "ExtraMissing",
+    "Finding",
     "Mission",
     "MissionError",
     "NoFigures",
@@ -60,6 +65,7 @@ __all__ = [
     "Vehicle",
     "VehicleError",
     "__version__",
+    "check",
     "fly",
     "load_mission",
     "load_vehicle",

@@ -13,17 +13,11 @@ from typing import Any
 from bumpless.config.mission import Mission, parse_mission
 from bumpless.config.parameters import Parameters, default_parameters, with_overrides
 from bumpless.config.vehicle import Vehicle
+from bumpless_paper.study.gains import STUDY_GAINS
 
 FAULT_TIME_S = 45.0
 Overrides = Mapping[str, Mapping[str, Any]]
 
-# Shared by all: a target once seen is remembered for 30 s, and hover ends far enough out that a drifting
-# vehicle does not chatter between R and H. The allocator flies the published map, alpha = delta: what fins
-# do by themselves in drift steadies the hull.
-SHARED: Overrides = {
-    "supervisor": {"detection_hold_cycles": 300, "range_rh_upper_m": 2.5},
-    "guidance": {"flow_drift": 0.0},
-}
 HARD: Overrides = {
     "bumpless": {
         "ramp": False,
@@ -59,6 +53,18 @@ def merged(*parts: Overrides) -> dict[str, dict[str, Any]]:
         for section, values in part.items():
             out.setdefault(section, {}).update(values)
     return out
+
+
+# Shared by all besides the study's gains: a target once seen is remembered for 30 s, and hover ends far
+# enough out that a drifting vehicle does not chatter between R and H. The allocator flies the published map,
+# alpha = delta: what fins do by themselves in drift steadies the hull.
+SHARED: Overrides = merged(
+    STUDY_GAINS,
+    {
+        "supervisor": {"detection_hold_cycles": 300, "range_rh_upper_m": 2.5},
+        "guidance": {"flow_drift": 0.0},
+    },
+)
 
 
 def _allocator(name: str, **more: Any) -> Overrides:

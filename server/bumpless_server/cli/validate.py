@@ -23,11 +23,15 @@ def validate(
 ) -> None:
     """Check mission files.
 
-    Every fault is one line: file:line:column: field = value; rule. With --stability, a dwell time that no
-    Lyapunov function proves long enough is a warning.
+    Every fault is one line: file:line:column: field = value; rule. What the vehicle can't do in the
+    mission's current and time is a finding: an error where it can't work, a warning where it is
+    unlikely, with the nearest change that would. With --stability, a dwell time that no Lyapunov
+    function proves long enough is a warning.
 
-    Exit code 1 when a file has a fault or can't be read; the others are answered all the same.
+    Exit code 1 when a file has a fault or an error, or can't be read; the others are answered all the
+    same.
     """
+    from bumpless import check
     from bumpless.config.mission import MissionError, mission_json_schema, parse_mission
     from bumpless.config.problems import Problem
 
@@ -39,23 +43,27 @@ def validate(
         raise typer.Exit(2)
     results: list[dict[str, Any]] = []
     for path in files:
-        problems, warnings = (), []
+        problems, warnings, findings = (), [], ()
         try:
             mission = parse_mission(path.read_bytes(), str(path))
             warnings = _warnings(mission) if stability else []
+            findings = check(mission)
         except MissionError as error:
             problems = error.problems
         except OSError as error:
             reason = f"cannot be read: {error.strerror or error}"
             problems = (Problem(str(path), None, None, "", None, reason),)
-        found = {"ok": not problems, "problems": [p.as_dict() for p in problems], "warnings": warnings}
-        results.append({"file": str(path), **found})
+        ok = not problems and all(finding.severity != "error" for finding in findings)
+        found = {"ok": ok, "problems": [p.as_dict() for p in problems], "warnings": warnings}
+        results.append({"file": str(path), **found, "findings": [f.as_dict() for f in findings]})
         if not as_json:
             for problem in problems:
                 typer.echo(str(problem), err=True)
+            for finding in findings:
+                typer.echo(f"{path}: {finding.severity}: {finding}", err=True)
             for warning in warnings:
                 typer.echo(f"{path}: warning: {warning}", err=True)
-            if not problems:
+            if ok:
                 typer.echo(f"{path}: ok")
     if as_json:
         typer.echo(json.dumps(results, indent=2, ensure_ascii=False))

@@ -39,6 +39,29 @@ class Severity(int, metaclass=_enum_type_wrapper.EnumTypeWrapper):
     SEVERITY_WARNING: _ClassVar[Severity]
     SEVERITY_ALARM: _ClassVar[Severity]
 
+class DockingStage(int, metaclass=_enum_type_wrapper.EnumTypeWrapper):
+    __slots__ = ()
+    DOCKING_STAGE_UNSPECIFIED: _ClassVar[DockingStage]
+    DOCKING_STAGE_TRANSIT: _ClassVar[DockingStage]
+    DOCKING_STAGE_ENTRY: _ClassVar[DockingStage]
+    DOCKING_STAGE_APPROACH: _ClassVar[DockingStage]
+    DOCKING_STAGE_BACK: _ClassVar[DockingStage]
+    DOCKING_STAGE_HOLD: _ClassVar[DockingStage]
+
+class WaveOffReason(int, metaclass=_enum_type_wrapper.EnumTypeWrapper):
+    __slots__ = ()
+    WAVE_OFF_REASON_UNSPECIFIED: _ClassVar[WaveOffReason]
+    WAVE_OFF_REASON_TARGET_LOST: _ClassVar[WaveOffReason]
+    WAVE_OFF_REASON_OFF_LINE: _ClassVar[WaveOffReason]
+    WAVE_OFF_REASON_OFF_HEADING: _ClassVar[WaveOffReason]
+    WAVE_OFF_REASON_OFF_DEPTH: _ClassVar[WaveOffReason]
+    WAVE_OFF_REASON_OVERSHOT: _ClassVar[WaveOffReason]
+    WAVE_OFF_REASON_STUCK_AT_GATE: _ClassVar[WaveOffReason]
+    WAVE_OFF_REASON_NOT_SEEN: _ClassVar[WaveOffReason]
+    WAVE_OFF_REASON_TOO_SLOW: _ClassVar[WaveOffReason]
+    WAVE_OFF_REASON_CURRENT: _ClassVar[WaveOffReason]
+    WAVE_OFF_REASON_TIME_OVER: _ClassVar[WaveOffReason]
+
 class Ending(int, metaclass=_enum_type_wrapper.EnumTypeWrapper):
     __slots__ = ()
     ENDING_UNSPECIFIED: _ClassVar[Ending]
@@ -77,6 +100,23 @@ SEVERITY_UNSPECIFIED: Severity
 SEVERITY_INFO: Severity
 SEVERITY_WARNING: Severity
 SEVERITY_ALARM: Severity
+DOCKING_STAGE_UNSPECIFIED: DockingStage
+DOCKING_STAGE_TRANSIT: DockingStage
+DOCKING_STAGE_ENTRY: DockingStage
+DOCKING_STAGE_APPROACH: DockingStage
+DOCKING_STAGE_BACK: DockingStage
+DOCKING_STAGE_HOLD: DockingStage
+WAVE_OFF_REASON_UNSPECIFIED: WaveOffReason
+WAVE_OFF_REASON_TARGET_LOST: WaveOffReason
+WAVE_OFF_REASON_OFF_LINE: WaveOffReason
+WAVE_OFF_REASON_OFF_HEADING: WaveOffReason
+WAVE_OFF_REASON_OFF_DEPTH: WaveOffReason
+WAVE_OFF_REASON_OVERSHOT: WaveOffReason
+WAVE_OFF_REASON_STUCK_AT_GATE: WaveOffReason
+WAVE_OFF_REASON_NOT_SEEN: WaveOffReason
+WAVE_OFF_REASON_TOO_SLOW: WaveOffReason
+WAVE_OFF_REASON_CURRENT: WaveOffReason
+WAVE_OFF_REASON_TIME_OVER: WaveOffReason
 ENDING_UNSPECIFIED: Ending
 ENDING_DOCKED: Ending
 ENDING_HELD: Ending
@@ -182,7 +222,7 @@ class Guidance(_message.Message):
     def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., surge_speed_reference_mps: _Optional[float] = ..., depth_reference_m: _Optional[float] = ..., attitude_reference: _Optional[_Union[Attitude, _Mapping]] = ..., cross_track_error_m: _Optional[float] = ..., along_track_error_m: _Optional[float] = ..., leg: _Optional[int] = ..., leg_count: _Optional[int] = ..., sway_speed_reference_mps: _Optional[float] = ...) -> None: ...
 
 class Supervisor(_message.Message):
-    __slots__ = ("stamp", "mode", "previous_mode", "range_m", "detection_raw", "detection", "kappa", "time_in_mode_s", "dwell_remaining_s", "range_rh_lower_m", "range_rh_upper_m", "range_fr_lower_m", "range_fr_upper_m", "range_hf_upper_m", "phase")
+    __slots__ = ("stamp", "mode", "previous_mode", "range_m", "detection_raw", "detection", "kappa", "time_in_mode_s", "dwell_remaining_s", "range_rh_lower_m", "range_rh_upper_m", "range_fr_lower_m", "range_fr_upper_m", "range_hf_upper_m", "phase", "docking_stage", "docking_tries", "docking_tries_most", "wave_off_reason", "approach_heading_deg", "fix_age_s")
     STAMP_FIELD_NUMBER: _ClassVar[int]
     MODE_FIELD_NUMBER: _ClassVar[int]
     PREVIOUS_MODE_FIELD_NUMBER: _ClassVar[int]
@@ -198,6 +238,12 @@ class Supervisor(_message.Message):
     RANGE_FR_UPPER_M_FIELD_NUMBER: _ClassVar[int]
     RANGE_HF_UPPER_M_FIELD_NUMBER: _ClassVar[int]
     PHASE_FIELD_NUMBER: _ClassVar[int]
+    DOCKING_STAGE_FIELD_NUMBER: _ClassVar[int]
+    DOCKING_TRIES_FIELD_NUMBER: _ClassVar[int]
+    DOCKING_TRIES_MOST_FIELD_NUMBER: _ClassVar[int]
+    WAVE_OFF_REASON_FIELD_NUMBER: _ClassVar[int]
+    APPROACH_HEADING_DEG_FIELD_NUMBER: _ClassVar[int]
+    FIX_AGE_S_FIELD_NUMBER: _ClassVar[int]
     stamp: Stamp
     mode: Mode
     previous_mode: Mode
@@ -213,7 +259,13 @@ class Supervisor(_message.Message):
     range_fr_upper_m: float
     range_hf_upper_m: float
     phase: MissionPhase
-    def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., mode: _Optional[_Union[Mode, str]] = ..., previous_mode: _Optional[_Union[Mode, str]] = ..., range_m: _Optional[float] = ..., detection_raw: _Optional[bool] = ..., detection: _Optional[bool] = ..., kappa: _Optional[float] = ..., time_in_mode_s: _Optional[float] = ..., dwell_remaining_s: _Optional[float] = ..., range_rh_lower_m: _Optional[float] = ..., range_rh_upper_m: _Optional[float] = ..., range_fr_lower_m: _Optional[float] = ..., range_fr_upper_m: _Optional[float] = ..., range_hf_upper_m: _Optional[float] = ..., phase: _Optional[_Union[MissionPhase, str]] = ...) -> None: ...
+    docking_stage: DockingStage
+    docking_tries: int
+    docking_tries_most: int
+    wave_off_reason: WaveOffReason
+    approach_heading_deg: float
+    fix_age_s: float
+    def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., mode: _Optional[_Union[Mode, str]] = ..., previous_mode: _Optional[_Union[Mode, str]] = ..., range_m: _Optional[float] = ..., detection_raw: _Optional[bool] = ..., detection: _Optional[bool] = ..., kappa: _Optional[float] = ..., time_in_mode_s: _Optional[float] = ..., dwell_remaining_s: _Optional[float] = ..., range_rh_lower_m: _Optional[float] = ..., range_rh_upper_m: _Optional[float] = ..., range_fr_lower_m: _Optional[float] = ..., range_fr_upper_m: _Optional[float] = ..., range_hf_upper_m: _Optional[float] = ..., phase: _Optional[_Union[MissionPhase, str]] = ..., docking_stage: _Optional[_Union[DockingStage, str]] = ..., docking_tries: _Optional[int] = ..., docking_tries_most: _Optional[int] = ..., wave_off_reason: _Optional[_Union[WaveOffReason, str]] = ..., approach_heading_deg: _Optional[float] = ..., fix_age_s: _Optional[float] = ...) -> None: ...
 
 class Control(_message.Message):
     __slots__ = ("stamp", "demanded", "demanded_raw", "achieved", "residual", "frozen")

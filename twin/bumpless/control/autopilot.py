@@ -7,9 +7,18 @@ commands are onboard.state.allocation.u (8,), rad and rev/s.
 
 from math import hypot, sqrt
 
-from bumpless.contract.enums import ABORTED, COMPLETED, FORWARD, HOVER, IDLE, PAUSED, RUNNING
+from bumpless.contract.enums import ABORTED, COMPLETED, FORWARD, HOLD, HOVER, IDLE, PAUSED, RUNNING
 from bumpless.control.allocation.allocate import achieve, allocate
 from bumpless.control.allocation.slack import report_slack, soften
+from bumpless.control.docking.step import (
+    is_in_place,
+    look_docking,
+    refer_docking,
+    stage_mode,
+    start_as_found,
+    trim_docking,
+)
+from bumpless.control.docking.trim import leave_heave_to_pitch, weigh_slow_moments
 from bumpless.control.effectiveness.step import believe_faults, estimate_effectiveness
 from bumpless.control.flow import see_flow, smooth_flow
 from bumpless.control.guidance.guide import guide
@@ -25,7 +34,7 @@ from bumpless.control.pid import (
 )
 from bumpless.control.schedule import gain_share, schedule_gains
 from bumpless.control.stop import stop_actuators
-from bumpless.control.supervisor import change_mode, count_hover, filter_detection, supervise
+from bumpless.control.supervisor import change_mode, count_hover, filter_detection, in_range, supervise
 from bumpless.control.switching import begin_ramp, blend, limit_increments, transition_factor
 from bumpless.jit import jit
 
@@ -48,14 +57,15 @@ def autopilot_cycle(handle, onboard, m):
     orders.change = 0
     s.clock.cycle += 1
     s.clock.time += settings.dt
-    if phase == RUNNING and is_completed(onboard.plan, s.clock.cycle, s.supervisor.hover_cycles):
+    if phase == RUNNING and is_completed(onboard.plan, s.clock.cycle, s):
         orders.phase = COMPLETED
 
 
 @jit
-def is_completed(plan, cycle, hover_cycles):
-    """Whether the mission's hold has lasted, or its time is up."""
-    return (plan.hold_cycles > 0 and hover_cycles >= plan.hold_cycles) or cycle >= plan.cycles
+def is_completed(plan, cycle, s):
+    """Whether the mission's hold has lasted, docking is given up, or its time is up. s: STATE."""
+    held = plan.hold_cycles > 0 and s.supervisor.hover_cycles >= plan.hold_cycles
+    return held or s.docking.stage == HOLD or cycle >= plan.cycles
 
 
 @jit
@@ -80,21 +90,42 @@ def fly_cycle(handle, onboard, m):
         )  # fmt: skip
     if m.fresh == 1:
         filter_detection(settings.supervisor, out.navigation.sighted, s.supervisor)
-    situation = out.situation
-    look(plan, s.navigation, situation)
+    situation, docks = out.situation, settings.docking.enabled == 1
     switched = onboard.orders.change == 1
+    if docks:
+        look_docking(dt, plan, out.navigation.sighted, s, situation, out.docking)
+        if cycle == 0:
+            start_as_found(model, m, s)
+    else:
+        look(plan, s.navigation, situation)
     if not holding:
-        going_around = s.guidance.leg >= plan.n_legs
-        mode = supervise(settings.supervisor, s.supervisor, cycle, situation.range, going_around)
+        mode = choose_mode(onboard)
         if mode != s.supervisor.mode:
             change_mode(mode, cycle, s.supervisor)
             switched = True
-    count_hover(settings.supervisor, situation.range, holding, s.supervisor)
+    if docks:
+        in_place = is_in_place(s, holding, situation.range, out.docking)
+    else:
+        in_place = in_range(settings.supervisor, situation.range, holding, s.supervisor)
+    count_hover(in_place, s.supervisor)
     orient(settings.supervisor, onboard.orders, s, situation)
     sway = model.controllable[1] > 0.0
-    guide(dt, settings.guidance, plan, s.navigation, situation, sway, s.guidance, out.guidance)
+    if docks:
+        refer_docking(settings, plan, s, situation, sway, out.docking, out.guidance)
+    else:
+        guide(dt, settings.guidance, plan, s.navigation, situation, sway, s.guidance, out.guidance)
     regulate(settings, plan, model, situation.mode, switched, s, out)
     command(handle, onboard)
+
+
+@jit
+def choose_mode(onboard):
+    """The mode for this cycle: by the docking automaton, or by the published one."""
+    settings, plan, s, situation = onboard.settings, onboard.plan, onboard.state, onboard.output.situation
+    if settings.docking.enabled == 1:
+        return stage_mode(settings, plan, onboard.orders.phase, s, situation, onboard.output.docking)
+    going_around = s.guidance.leg >= plan.n_legs
+    return supervise(settings.supervisor, s.supervisor, s.clock.cycle, situation.range, going_around)
 
 
 @jit
@@ -119,7 +150,7 @@ def orient(settings, orders, s, situation):
     situation.slow = 1 if situation.range < settings.d_fr_l else 0
     situation.u_r = s.navigation.smooth_nu_r[0]
     situation.adapt = 1 if s.switching.kappa >= 1.0 else 0
-    situation.first = 1 if s.clock.cycle == 0 else 0
+    situation.first = 1 if s.clock.cycle == 0 and s.docking.stage == 0 else 0
 
 
 @jit
@@ -144,6 +175,8 @@ def regulate(settings, plan, model, mode, switched, s, out):
     switching.kappa = transition_factor(settings.bumpless, cycle, switching)
     believe_faults(settings.allocation, dt, s.clock.time, plan.faults, s.estimator, s.belief)
     schedule_gains(settings, chosen, share, s.belief.fault_share, switching.kappa, gains)
+    if settings.docking.enabled == 1:
+        trim_docking(settings, model, share, s, out.docking, gains)
     demand(gains, errors, pid, out.tau_plus)
     for k in range(6):
         out.tau_plus[k] *= model.controllable[k]
@@ -176,8 +209,16 @@ def command(handle, onboard):
     share = gain_share(settings.guidance, s.navigation.smooth_nu_r[0])
     surge = settings.guidance.schedule_speed * sqrt(share)
     step_share = out.switching.step_share
-    allocate(handle, settings.allocation, model, now.tau_d, step_share, surge, p, solution, w)
-    achieve(model, p, solution, memory.tau_c, w)
+    if settings.docking.enabled == 1:
+        view = out.docking
+        weigh_slow_moments(settings.docking, p, s.docking)
+        leave_heave_to_pitch(model, p, now.tau_d, view, s.docking)
+        allocate(handle, settings.allocation, model, view.asked, step_share, surge, p, solution, w)
+        achieve(model, p, solution, memory.tau_c, w)
+        memory.tau_c[2] -= view.lift
+    else:
+        allocate(handle, settings.allocation, model, now.tau_d, step_share, surge, p, solution, w)
+        achieve(model, p, solution, memory.tau_c, w)
     report_slack(settings.allocation, now.Q, s.belief.fault_share, now.tau_d, memory.tau_c, solution.slack)
     note_unmet(now.tau_d, memory.tau_c, w.limited, s.pid)
     memory.refused = solution.refused

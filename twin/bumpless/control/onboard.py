@@ -16,6 +16,7 @@ from bumpless.control.allocation.record import (
     PROBLEM,
     SOLUTION,
 )
+from bumpless.control.docking.record import DOCKING_OUTPUT, DOCKING_STATE
 from bumpless.control.effectiveness.record import BELIEF, ESTIMATOR, ESTIMATOR_WORK
 from bumpless.control.guidance.record import GUIDANCE_OUTPUT, GUIDANCE_STATE, SITUATION
 from bumpless.control.navigation import CLOCK, NAVIGATION_OUTPUT, NAVIGATION_STATE
@@ -50,6 +51,7 @@ STATE = np.dtype(
         ("allocation", ALLOCATION_STATE),
         ("belief", BELIEF),
         ("estimator", ESTIMATOR),
+        ("docking", DOCKING_STATE),
     ],
     align=True,
 )
@@ -65,6 +67,7 @@ OUTPUT = np.dtype(
         ("switching", SWITCHING_OUTPUT),
         ("problem", PROBLEM),
         ("solution", SOLUTION),
+        ("docking", DOCKING_OUTPUT),
     ],
     align=True,
 )

@@ -96,10 +96,11 @@ def demand(gains, errors, pid, tau_plus):
         rate = gains.K_I[i] * errors.e[i]
         if pid.limited[i] == 1 and gains.windup[i] > 0.0:
             rate -= gains.windup[i] * pid.unmet[i]
-        pid.integral[i] = clip(pid.integral[i] + gains.dt * rate, gains.integral_limit[i])
+        pid.integral[i] = clip(gains.stays[i] * pid.integral[i] + gains.dt * rate, gains.integral_limit[i])
         pid.bias[i] *= gains.keep
         total = clip(pid.integral[i] + pid.bias[i], gains.integral_limit[i])
-        tau_plus[i] = clip(proportional(gains, errors, i) + total, gains.demand_limit[i])
+        wanted = proportional(gains, errors, i) + gains.ahead[i]
+        tau_plus[i] = clip(wanted + total, gains.demand_limit[i])
         pid.K_I[i] = gains.mode_K_I[i]
 
 

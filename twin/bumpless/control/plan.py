@@ -14,6 +14,7 @@ PLAN = np.dtype(
         ("speed", f8, MAX_WAYPOINTS),  # of leg i, m/s
         ("target", f8, 4),  # planned marker position NED, approach heading
         ("standoff", f8),  # m before the marker
+        ("heading_tolerance", f8),  # rad by which the approach heading may turn into the current
         ("start", f8, 6),  # eta
         ("start_speed", f8),  # surge through water, m/s
         ("cycles", i8),  # longest duration

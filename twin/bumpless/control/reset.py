@@ -1,6 +1,6 @@
 """Where an autopilot begins: in F, settled, actuators at rest, at the start that its plan tells."""
 
-from bumpless.contract.enums import FORWARD
+from bumpless.contract.enums import FORWARD, TRANSIT
 from bumpless.control.effectiveness.step import reset_estimator
 from bumpless.jit import jit
 
@@ -27,4 +27,6 @@ def reset_state(settings, plan, s):
     s.supervisor.switch_cycle = _LONG_AGO
     s.guidance.reference[0] = plan.start_speed
     s.guidance.reference[2], s.guidance.reference[5] = plan.start[2], plan.start[5]
+    if settings.docking.enabled == 1:
+        s.docking.stage, s.docking.side, s.docking.heading = TRANSIT, 1, plan.target[3]
     reset_estimator(s.estimator)

@@ -19,6 +19,8 @@ GAINS = np.dtype(
         ("K_I", f8, 6),  # its schedule and the ramp's share of integration in it
         ("K_D", f8, 6),
         ("mode_K_I", f8, 6),  # as the mode has it
+        ("stays", f8, 6),  # share of the integral that one cycle leaves; 1 but where docking trims it
+        ("ahead", f8, 6),  # fed forward, N and N m
         ("windup", f8, 6),  # 1/s, on the unmet demand; 0 in channels without an integral
         ("keep", f8),  # share of the aligned offset that one cycle leaves
         ("integral_limit", f8, 6),
@@ -59,6 +61,7 @@ def schedule_gains(settings, mode, schedule, fault_share, kappa, gains):
         gains.K_I[i] = after_fault(factors[1, i], fault_share) * speed * share * mode.K_I[i]
         gains.K_D[i] = mode.K_D[i] * after_fault(factors[2, i], fault_share)
         gains.mode_K_I[i] = mode.K_I[i]
+        gains.stays[i], gains.ahead[i] = 1.0, 0.0
         gains.windup[i] = settings.allocation.anti_windup if mode.K_I[i] > 0.0 else 0.0
         gains.integral_limit[i] = room * mode.integral_limit[i]
         gains.demand_limit[i] = room * mode.demand_limit[i]

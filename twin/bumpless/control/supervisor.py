@@ -84,7 +84,12 @@ def change_mode(mode, cycle, state):
 
 
 @jit
-def count_hover(settings, d, holding, state):
-    """Count the cycles in a row in H and in range d, m; holding station elsewhere is none of them."""
-    in_place = state.mode == HOVER and not holding and d <= settings.d_rh_u
+def in_range(settings, d, holding, state):
+    """Whether this is H in range d, m; holding station elsewhere is not."""
+    return state.mode == HOVER and not holding and d <= settings.d_rh_u
+
+
+@jit
+def count_hover(in_place, state):
+    """Count the cycles in a row in which the vehicle hovers in place."""
     state.hover_cycles = state.hover_cycles + 1 if in_place else 0

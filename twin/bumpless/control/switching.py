@@ -68,10 +68,13 @@ def transition_factor(settings, cycle, switching):
     """kappa: 0 in the cycle of the switch, 1 after N_sw cycles; 1 at once without a ramp.
 
     Source: eq. (54).
+
+    Beyond the paper (`ramp_smooth`): 6 x^5 - 15 x^4 + 10 x^3 of that, twice differentiable at both ends.
     """
     if settings.ramp == 0 or switching.ramp_length <= 0.0:
         return 1.0
-    return min(1.0, max(0.0, (cycle - switching.ramp_cycle) / switching.ramp_length))
+    x = min(1.0, max(0.0, (cycle - switching.ramp_cycle) / switching.ramp_length))
+    return x * x * x * (10.0 + x * (6.0 * x - 15.0)) if settings.ramp_smooth == 1 else x
 
 
 @jit

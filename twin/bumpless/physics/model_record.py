@@ -50,6 +50,7 @@ MODEL = np.dtype(
         ("C_D2", f8, _n),  # 1/rad^2
         ("stall_angle", f8, _n),  # rad
         ("reverse_lift", f8, _n),  # share of C_La left when the flow meets the trailing edge
+        ("fins_coast", i8),  # 1: the allocator takes fin drag as given and does not brake with fins
         ("smoothing", f8),  # thrust share below which the allocator eases a screw through zero
     ],
     align=True,

@@ -16,6 +16,7 @@ from bumpless.contract.enums import (
     WARNING,
 )
 from bumpless.contract.modes import LOOKS
+from bumpless.sim.docking_events import HELD_S, docking_events, docking_switch
 
 _STATUS = {
     INFEASIBLE: "bounds contradict each other",
@@ -84,6 +85,8 @@ def switch_reason(before: int, after: int, row: np.void, s: np.void) -> tuple[st
 
     s: SUPERVISOR_SETTINGS.
     """
+    if row["stage"]:
+        return docking_switch(before, after, row)
     d, seen = row["range"], bool(row["detected"])
     if (before, after) == (FORWARD, REVERSE):
         return f"target seen and range {d:.2f} m <= {s['d_fr_l']:.2f} m", "a range above it, or no detection"
@@ -107,8 +110,9 @@ def completed_event(out: EventWriter, row: np.void) -> None:
 def eventful(log: np.ndarray) -> list[int]:
     """Rows of a LOG array that `row_events` has something to say about, against the row before."""
     changed = np.zeros(max(0, len(log) - 1), bool)
-    for name in ("mode", "detected", "leg", "status", "faults"):
+    for name in ("mode", "detected", "leg", "status", "faults", "stage", "cleared"):
         changed |= log[name][1:] != log[name][:-1]
+    changed |= (log["held"][1:] >= HELD_S) & (log["held"][:-1] < HELD_S)
     return [int(k) for k in np.flatnonzero(changed) + 1]
 
 
@@ -135,6 +139,8 @@ def row_events(out: EventWriter, last: np.void, row: np.void, settings: np.void)
             },
             time_s=time_s,
         )
+    for code, text, told, severity in docking_events(last, row):
+        out.add(code, text, told, severity, time_s)
     if row["detected"] != last["detected"]:
         if row["detected"]:
             out.add("target_found", f"Target found at {row['range']:.2f} m.", {}, time_s=time_s)

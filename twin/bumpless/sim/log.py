@@ -55,6 +55,15 @@ LOG = np.dtype(
         ("faults", i8),  # diagnosed by the autopilot: bit i for actuator i
         ("fault_evidence", f8, _n),  # log-likelihood ratio of a change against none
         ("unexplained", f8, 6),  # wrench that the model leaves unexplained, N and N m
+        # docking automaton
+        ("stage", i8),  # DockingStage; 0: the published automaton
+        ("tried", i8),  # approaches begun
+        ("tries", i8),  # in all
+        ("reason", i8),  # WaveOffReason of the last wave-off
+        ("cleared", i8),  # 1: past the gate
+        ("held", f8),  # s in a row in place at the observation point
+        ("approach", f8),  # approach heading in use, rad
+        ("fix_age", f8),  # s since the last fix
         # target
         ("target_measured", f8, 3),  # range m, bearing rad, elevation rad; NaN when not detected
         ("target", f8, 4),  # estimate: position NED, approach heading

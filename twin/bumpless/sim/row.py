@@ -23,13 +23,36 @@ def write_row(onboard, world, phase, row):
     write_control(s, out, row)
     write_allocation(onboard.model, s, out, row)
     write_faults(settings.allocation, onboard.model, s, row)
-    observation_point(s.navigation.target, plan.target[3], plan.standoff, row.observation_point)
+    heading = plan.target[3] if s.docking.stage == 0 else s.docking.heading
+    observation_point(s.navigation.target, heading, plan.standoff, row.observation_point)
     for k in range(3):
         row.target_measured[k] = m.target[k] if m.detected == 1 else nan
     for i in range(onboard.model.n_u):
         row.u_feedback[i] = m.u_feedback[i]
-    row.target[3] = plan.target[3]
+    row.target[3] = heading
+    write_docking(settings, s.docking, out.docking, row)
+    row.held = s.supervisor.hover_cycles * settings.dt
     write_truth(onboard.model.n_u, world.truth, world.plant, row)
+    if s.docking.stage > 0:
+        write_true_range(world.truth, world.plant, heading, row)
+
+
+@jit
+def write_docking(settings, docking, view, row):
+    """Stage, tries and reason. settings: SETTINGS; view: DOCKING_OUTPUT."""
+    row.stage, row.tried, row.reason = docking.stage, docking.tried, docking.reason
+    row.tries = settings.docking.tries if docking.stage > 0 else 0
+    row.cleared = 1 if docking.cleared == 1 and view.left <= settings.docking.gate_distance else 0
+    row.approach, row.fix_age = docking.heading, docking.fix_age * settings.dt
+
+
+@jit
+def write_true_range(truth, plant, heading, row):
+    """The true range in docking: 3-D, to the observation point for the approach heading in use, rad."""
+    point = floats(3)
+    observation_point(truth.target, heading, truth.standoff, point)
+    flat = hypot(point[0] - plant.eta[0], point[1] - plant.eta[1])
+    row.range_true = hypot(flat, point[2] - plant.eta[2])
 
 
 @jit

@@ -21,7 +21,7 @@ _HOUR_S = 3600.0
 def fill_settings(out: np.void, vehicle: Vehicle, parameters: Parameters) -> None:
     """Fill a SETTINGS record, section by section."""
     out["dt"] = vehicle.control_period_s
-    for section in ("supervisor", "bumpless", "allocation", "guidance", "navigation"):
+    for section in ("supervisor", "bumpless", "allocation", "guidance", "docking", "navigation"):
         fill_record(getattr(parameters, section), out[section])
     for i, mode in enumerate(parameters.modes):
         fill_record(mode, out["modes"][i])
@@ -40,6 +40,7 @@ def plan_of(mission: Mission, period_s: float) -> np.ndarray:
     p["speed"][: len(mission.legs)] = [leg.speed_mps for leg in mission.legs]
     p["target"] = [*mission.target.position_ned_m, radians(mission.target.heading_deg)]
     p["standoff"] = mission.target.standoff_m
+    p["heading_tolerance"] = radians(mission.target.turn_deg)
     p["cycles"] = round(mission.duration_s / period_s)
     hold_s = mission.end.hover_hold_s
     p["hold_cycles"] = 0 if hold_s is None else max(1, round(hold_s / period_s))

@@ -26,7 +26,7 @@ from bumpless.sim.log import LOG
 from bumpless.sim.settings import fill_settings, plan_of, sensors_of
 from bumpless.sim.trim import load
 from bumpless.sim.truth import tell, truth_of
-from bumpless.sim.world import WORLD, clear, place_plant
+from bumpless.sim.world import WORLD, clear, place_plant, start_shafts
 
 Alter = Callable[[Any, Any], None]  # changes records in place
 _CHUNK = 1024  # cycles per compiled call of `simulate`, so that progress can be shown
@@ -86,6 +86,7 @@ class Twin:
         self.parameters = parameters
         fill_settings(self._settings, self.vehicle, parameters)
         self.onboard["model"]["smoothing"] = parameters.allocation.shaft_smoothing
+        self.onboard["model"]["fins_coast"] = not parameters.allocation.fins_brake
         solver = parameters.allocation.solver
         if solver not in self._handles:
             self._handles[solver] = make_handle(solver)
@@ -113,6 +114,8 @@ class Twin:
         if alter is not None:
             alter(world["model"], world["truth"])
         place_plant(world["truth"], world["sensors"], world["plant"], self._rng)
+        if self.parameters.docking.enabled:
+            start_shafts(onboard["model"], world["truth"], world["plant"])
         observe_plant(world["model"], world["truth"]["environment"], world["plant"])
         onboard["plan"] = plan_of(mission, self.period_s)[0]
         told = self.parameters.allocation.effectiveness == "known"

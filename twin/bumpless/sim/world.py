@@ -55,3 +55,22 @@ def draw_more(errors: np.void, sensors: np.void, plant: np.void, rng: np.random.
     errors["dvl_water_bias"] = draws[3:6] * sensors["dvl_water_bias_std"]
     plant["gust"][3:] = draws[6:]
     errors["key"] = rng.integers(2**63)
+
+
+def start_shafts(model: np.void, truth: np.void, plant: np.void) -> None:
+    """Let the screws that push ahead turn as the start speed asks for, by the nominal MODEL.
+
+    T_nn n^2 - T_nv n V = D(V) / (number of screws), solved for n, rev/s: a vehicle that begins at speed does
+    not begin with stopped screws.
+    """
+    V = float(truth["start_speed"])
+    drag = float((model["D_linear"][0, 0] + model["D_quadratic"][0, 0] * V) * V)
+    ahead = [
+        i for i in range(int(model["n_u"])) if model["T_nn"][i] > 0.0 and model["direction"][i, 0] > 0.9
+    ]  # fmt: skip
+    if drag <= 0.0:
+        return
+    for i in ahead:
+        T_nn, T_nv = float(model["T_nn"][i]), float(model["T_nv"][i]) * V
+        n = (T_nv + np.sqrt(T_nv**2 + 4.0 * T_nn * drag / len(ahead))) / (2.0 * T_nn)
+        plant["u"][i] = min(n, float(model["command_max"][i]))

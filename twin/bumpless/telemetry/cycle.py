@@ -120,6 +120,10 @@ def _supervisor(r: _Row, stamp: pb.Stamp, context: Context) -> pb.Supervisor:
     out.kappa = r.one("kappa")
     out.time_in_mode_s, out.dwell_remaining_s = r.one("time_in_mode"), r.one("dwell_remaining")
     out.phase = cast("pb.MissionPhase", int(r.one("phase")))
+    out.docking_stage = cast("pb.DockingStage", int(r.one("stage")))
+    out.wave_off_reason = cast("pb.WaveOffReason", int(r.one("reason")))
+    out.docking_tries, out.docking_tries_most = int(r.one("tried")), int(r.one("tries"))
+    out.approach_heading_deg, out.fix_age_s = r.one("approach") * DEG, r.one("fix_age")
     return out
 
 

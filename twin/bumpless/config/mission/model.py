@@ -8,10 +8,10 @@ depth is positive down. The same declarations give the published JSON Schema (`m
 import hashlib
 import math
 from dataclasses import field
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 from bumpless.config.capacity import MAX_FAULTS, MAX_WAYPOINTS
-from bumpless.config.declare import Entries, Number, Overrides, Part, Row, Text, model
+from bumpless.config.declare import Choice, Entries, Number, Overrides, Part, Row, Text, model
 from bumpless.config.mission.notes import Vector3, direction, moment, position
 from bumpless.config.mission.sea import Environment
 from bumpless.config.mission.sensing import Sensors
@@ -68,6 +68,22 @@ class Target:
         Row("Where a simulated target truly is, from position_ned_m", "m", -100.0, 100.0, names=NED,
             help="The vehicle must find out."),
     ] = (0.0, 0.0, 0.0)  # fmt: skip
+
+    heading_tolerance_deg: Annotated[
+        float,
+        Number("How far from heading_deg the approach may be", "deg", 0.0, 180.0,
+               help="The vehicle turns its bow into the current within it."),
+    ] = 0.0  # fmt: skip
+    approach: Annotated[
+        Literal["heading", "into_current"],
+        Choice("How the approach heading is chosen",
+               help="heading: heading_deg within its tolerance; into_current: from any side."),
+    ] = "heading"  # fmt: skip
+
+    @property
+    def turn_deg(self) -> float:
+        """By how much the approach heading may differ from heading_deg, 0 to 180."""
+        return 180.0 if self.approach == "into_current" else self.heading_tolerance_deg
 
     @property
     def true_position_ned_m(self) -> Vector3:

@@ -7,6 +7,7 @@ that may change during a mission over the bus.
 
 from bumpless.config.parameters.allocation import AllocationParameters
 from bumpless.config.parameters.checks import check
+from bumpless.config.parameters.docking import DockingParameters
 from bumpless.config.parameters.guidance import GuidanceParameters
 from bumpless.config.parameters.load import ParameterError, as_dict, default_parameters, with_overrides
 from bumpless.config.parameters.messages import from_message, live_fields, live_problems, to_message
@@ -20,6 +21,7 @@ __all__ = [
     "RANGES",
     "AllocationParameters",
     "BumplessParameters",
+    "DockingParameters",
     "GuidanceParameters",
     "ModeParameters",
     "ParameterError",

@@ -56,6 +56,14 @@ class AllocationParameters:
         Number("Price of increments", "", 0.0, 1e6, record="increment_price",
                help="Weight of ‖u - u_prev‖², commands over their bounds; 0 as published."),
     ] = 0.0  # fmt: skip
+    saddle_escapes: Annotated[
+        int, Number("Looks for a way out of a saddle, per cycle", "", 0, 10, record="escapes")
+    ] = 3
+    fins_brake: Annotated[
+        bool,
+        Switch("Fins may brake",
+               help="Off: the allocator takes their drag as given; it goes to the vehicle's model."),
+    ] = True  # fmt: skip
     shaft_smoothing: Annotated[
         float,
         Number("Thrust share eased through zero", "", 0.0, 1.0,

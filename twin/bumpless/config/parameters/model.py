@@ -9,6 +9,7 @@ from typing import Annotated
 
 from bumpless.config.declare import Part, model
 from bumpless.config.parameters.allocation import AllocationParameters
+from bumpless.config.parameters.docking import DockingParameters
 from bumpless.config.parameters.guidance import GuidanceParameters
 from bumpless.config.parameters.modes import ModeParameters
 from bumpless.config.parameters.navigation import NavigationParameters
@@ -28,6 +29,10 @@ class Parameters:
     allocation: Annotated[AllocationParameters, Part("Allocation of the demand to the actuators")]
     guidance: Annotated[GuidanceParameters, Part("References, and how gains follow speed")]
     navigation: Annotated[NavigationParameters, Part("What the sensors are believed")]
+
+    docking: Annotated[
+        DockingParameters, Part("How a dock is approached, and when an approach is given up")
+    ] = DockingParameters()
 
     @property
     def modes(self) -> tuple[ModeParameters, ModeParameters, ModeParameters]:

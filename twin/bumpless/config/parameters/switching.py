@@ -19,6 +19,11 @@ class BumplessParameters:
     """
 
     ramp: Annotated[bool, Switch("Ramp of the weights", live=True, record="ramp")] = True
+    ramp_smooth: Annotated[
+        bool,
+        Switch("Ramp without corners", record="ramp_smooth",
+               help="κ with two continuous derivatives; off: straight, as published."),
+    ] = False  # fmt: skip
     integrator_alignment: Annotated[bool, Switch("Alignment of integrators", live=True, record="align")] = (
         True
     )

@@ -20,7 +20,6 @@ from bumpless.jit import jit
 from bumpless.physics.actuators import command_slope, to_command, to_x
 
 _BACKTRACKS = 6
-_ESCAPES = 3  # looks for a way out of a saddle, per cycle
 _NEAR = 1e-3  # KKT residual from which a saddle is looked for: Newton's steps towards one are wasted
 _ROOM = 1e-6  # share of its range that a command must have on both sides to count as free
 _ROUNDING = 1e-12  # share of the cost that no step can gain any more
@@ -195,7 +194,7 @@ def allocate_mdca(handle, settings, model, problem, solution, w):
             step[i] = 0.0
             w.lb[i], w.ub[i] = lower[i] - x[i], upper[i] - x[i]
         kkt = kkt_residual(w.H, w.g, w.lb, w.ub, step, n)
-        if kkt <= _NEAR and escapes < _ESCAPES:
+        if kkt <= _NEAR and escapes < settings.escapes:
             escapes += 1
             escaped = leave_saddle(model, p, w, x, cost, n)
             if escaped < cost:

@@ -18,7 +18,7 @@ SITUATION = np.dtype(  # what guidance goes by in this cycle, besides the naviga
         ("slow", i8),  # 1 within d_FR^L: on the last leg no faster than R may be
         ("u_r", f8),  # surge through water, m/s
         ("adapt", i8),  # 1 where the law may learn: no ramp is under way
-        ("first", i8),  # 1 in a mission's first cycle
+        ("first", i8),  # 1 in a mission's first cycle, but where docking begins as the vehicle is found
     ],
     align=True,
 )

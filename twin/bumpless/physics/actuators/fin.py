@@ -158,10 +158,15 @@ def to_command(model, i, x):
 def add_map(model, i, x, u_previous, alpha, nu_r, tau, column):
     """Add alpha times the wrench at x (8,) to tau (6,), and its derivative to column[i] (6,).
 
+    With model.fins_coast the drag is taken as given, at the last command: fins do not brake.
+
     Source: eq. (27)-(34).
     """
     e, scale = model.direction[i], model.command_max[i]
     fx, fe, dx, de = fin_force(model, i, x[i] * scale, nu_r)
+    if model.fins_coast == 1:
+        fx, _, _, _ = fin_force(model, i, u_previous[i], nu_r)
+        dx = 0.0
     add_force(model, i, alpha * (fx + fe * e[0]), alpha * fe * e[1], alpha * fe * e[2], tau)
     g = alpha * scale
     add_force(model, i, g * (dx + de * e[0]), g * de * e[1], g * de * e[2], column[i])
@@ -178,6 +183,8 @@ def curve(model, i, x, u_previous, alpha, nu_r, weight, out, coupling):
         dd_l, dd_d = fin_coefficient_curvature(model, i, x[i] * scale - atan2(v, u))
         g = alpha * scale * scale * 0.5 * model.rho * sqrt(speed2) * model.fin_area[i]
         fx, fe = g * (-dd_d * u - dd_l * v), g * (-dd_d * v + dd_l * u)
+        if model.fins_coast == 1:
+            fx = 0.0
         out[i] = force_against(model, i, fx + fe * e[0], fe * e[1], fe * e[2], weight)
 
 

@@ -1,0 +1,77 @@
+"""The way round to the beginning of the approach line, clear of the dock.
+
+Beyond the paper. The line is joined on a circle that is tangent to it where it begins; the way there is
+tangent to that circle, and to the keep-out circle about the marker where that is in the way.
+"""
+
+from math import asin, atan, cos, hypot, pi, sin, sqrt
+
+from bumpless.control.docking.heading import along_across
+from bumpless.jit import jit
+from bumpless.physics.frames import direction, wrap
+
+_LITTLE = 0.5  # rad of turn too much that is made up on the line
+
+
+@jit
+def nearer_side(settings, eta, point, approach):
+    """The side, 1 clockwise or -1, on which the way round is the shorter one, turns at both ends included."""
+    best, least = 1, 1e9
+    for k in range(2):
+        side = 1 - 2 * k
+        heading, far = circle_heading(settings, eta, point, approach, side)
+        radius = settings.turn_radius
+        straight = sqrt(max(far * far - radius * radius, 0.0))
+        at_end = side * wrap(approach - heading)  # rad still to be turned on the circle
+        arc = max(at_end, 0.0) if at_end > -_LITTLE else at_end + 2.0 * pi
+        inside = 2.0 * pi * radius if far < 0.9 * radius else 0.0
+        way = straight + inside + radius * (arc + abs(wrap(heading - eta[5])))
+        if way < least:
+            best, least = side, way
+    return best
+
+
+@jit
+def circle_heading(settings, eta, point, approach, side):
+    """(heading, far): tangent to the turning circle at the line's beginning, rad, and m to its centre.
+
+    point (3,): the observation point, NED; approach: heading of the line, rad; side: 1 clockwise, -1 not.
+    """
+    c, s = cos(approach), sin(approach)
+    radius = settings.turn_radius
+    # side 1: clockwise turn, centre to starboard of the line
+    cx = point[0] - settings.entry_distance * c - side * radius * s
+    cy = point[1] - settings.entry_distance * s + side * radius * c
+    dx, dy = cx - eta[0], cy - eta[1]
+    far = max(hypot(dx, dy), 1e-6)
+    if far > radius:
+        return direction(dx, dy) - side * asin(radius / far), far
+    return direction(dx, dy) - side * (0.5 * pi + atan((radius - far) / (0.5 * radius))), far
+
+
+@jit
+def clear_heading(settings, eta, target, heading, far):
+    """`heading` (rad) turned away from the keep-out circle about the target (3,), where it leads into it.
+
+    far: m to the centre of the turning circle; a dock behind it is no obstacle.
+    """
+    dx, dy = target[0] - eta[0], target[1] - eta[1]
+    off, keep = max(hypot(dx, dy), 1e-6), settings.keep_out
+    bearing = direction(dx, dy)
+    aside = wrap(heading - bearing)
+    least = 0.5 * pi + 0.5 * (keep - off) / keep if off < keep else asin(keep / off)
+    if abs(aside) < least and off < far + keep:
+        return bearing + (least if aside >= 0.0 else -least)
+    return heading
+
+
+@jit
+def entry_references(settings, plan, navigation, point, docking):
+    """(u goal, z goal, psi_d) on the way round; drift is made good by a crab angle."""
+    eta, target, current = navigation.eta, navigation.target, navigation.current
+    heading, far = circle_heading(settings, eta, point, docking.heading, docking.side)
+    heading = wrap(clear_heading(settings, eta, target, heading, far))
+    along, across = along_across(current, heading)
+    speed = plan.speed[plan.n_legs - 1]
+    crab = asin(min(max(-across / speed, -settings.crab_far), settings.crab_far))
+    return speed + along, target[2], wrap(heading + crab)

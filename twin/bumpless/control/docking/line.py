@@ -1,0 +1,119 @@
+"""Following the approach line, ahead, at rest and astern.
+
+Beyond the paper. On the line the heading makes good the drift with the flow there is: for a speed through
+water u_r at a small angle beta to the line the way across is u_r sin beta, so sin beta = v / u_r gives v.
+That inverse is damped, u_r v / (u_r^2 + u_0^2): it fades at rest and turns round when the vehicle goes
+astern.
+"""
+
+from math import asin, cos, sin, sqrt
+
+from bumpless.contract.enums import APPROACH, BACK, FORWARD, HOVER
+from bumpless.control.docking.heading import along_across, weathervane
+from bumpless.jit import jit
+from bumpless.physics.frames import wrap
+
+_STILL = 0.006  # m/s of drift that no aim makes up for
+_BORNE = 0.07  # of a head current, across: made good by the crab angle at the end
+_LEARN_WITHIN = 0.2  # m
+_DRIFT_MOST = 0.015  # m/s
+_ASTERN_MOST = 0.15  # m/s on the approach, past the observation point
+_CREEP = 0.1  # m/s, fastest correction while holding station
+
+
+@jit
+def place_on_line(eta, point, heading, view):
+    """Fill view.left and view.aside from the vehicle's eta (6,), the observation point (3,) and heading."""
+    c, s = cos(heading), sin(heading)
+    dx, dy = eta[0] - point[0], eta[1] - point[1]
+    view.left = -(c * dx + s * dy)
+    view.aside = -s * dx + c * dy
+
+
+@jit
+def approach_speed(settings, left):
+    """Speed over ground towards a stop `left` m ahead, m/s: constant deceleration, exponential at the end.
+
+    u = sqrt(k^2 + 2 a |left|) - k with k = a / end_gain: du/dleft is end_gain at the stop.
+    """
+    deceleration = settings.deceleration
+    knee = deceleration / settings.end_gain
+    speed = sqrt(knee * knee + 2.0 * deceleration * abs(left)) - knee
+    return speed if left >= 0.0 else -speed
+
+
+@jit
+def aim_aside(settings, along, across):
+    """Offset of the aim upstream, m, so that a drift that can't be made good at rest crosses the middle."""
+    left = max(abs(across) - _BORNE * max(-along, 0.0) - _STILL, 0.0)
+    left = min(left * settings.aim_time, settings.aim_most)
+    return -left if across > 0.0 else left
+
+
+@jit
+def largest_crab(settings, along, left):
+    """Sine of the largest heading correction: it narrows towards the observation point, so that the marker
+    stays in view and the bow straight. along: of the current, m/s; left: m."""
+    missing = max(2.0 * settings.flow_floor - abs(along), 0.0)
+    straighten = settings.straighten + settings.straighten_flow * missing
+    most = settings.crab_near + settings.crab_slope * max(abs(left) - straighten, 0.0)
+    return min(most, settings.crab_far)
+
+
+@jit
+def line_heading(dt, settings, current, u_r, learn, view, docking):
+    """psi_d that follows the approach line, rad. u_r: speed ahead through water; learn: drift is learnt."""
+    along, across = along_across(current, docking.heading)
+    y = view.aside - aim_aside(settings, along, across + docking.drift)
+    delta = settings.look_ahead + settings.look_ahead_slope * abs(u_r)
+    wanted = -abs(u_r) * y / sqrt(delta * delta + y * y)
+    if learn and abs(y) < _LEARN_WITHIN:
+        docking.drift += dt * settings.lateral_integral * abs(u_r) * y
+        docking.drift = min(max(docking.drift, -_DRIFT_MOST), _DRIFT_MOST)
+    rate = wanted - across - docking.drift - settings.lateral_damping * (docking.lateral_rate - wanted)
+    most = largest_crab(settings, along, view.left)
+    sine = rate * u_r / (u_r * u_r + settings.flow_floor * settings.flow_floor)
+    return wrap(docking.heading + asin(min(max(sine, -most), most)))
+
+
+@jit
+def back_speed(settings, head):
+    """Speed over ground astern, m/s, positive, in a head current: half the current where that leaves flow
+    over the fins, else through the water astern."""
+    return 0.5 * head if head > 2.0 * settings.flow_floor + 0.02 else head + settings.back_speed
+
+
+@jit
+def line_speed(settings, stage, cleared, mode, leg_speed, reverse_max, along, left, back_to):
+    """u_d on the approach line before shaping, m/s over ground. along: the current's part, m/s."""
+    if stage == APPROACH:
+        stop = 0.0 if cleared == 1 else settings.gate_distance
+        u_goal = approach_speed(settings, left - stop)
+        if mode == FORWARD:
+            return min(u_goal, leg_speed + along)
+        return min(max(u_goal, -_ASTERN_MOST), reverse_max)
+    if stage == BACK:
+        slow = max(approach_speed(settings, back_to + 0.3 - left), -0.1)
+        return -min(back_speed(settings, -along), slow)
+    return min(max(approach_speed(settings, left - back_to), -_CREEP), _CREEP)
+
+
+@jit
+def line_references(dt, settings, reverse_max, plan, navigation, mode, u_d, view, docking):
+    """(u goal, z goal, psi_d) on the approach line; turns and learns in DOCKING_STATE.
+
+    u_d: the speed reference in force, m/s; mode: F, R or H; view: DOCKING_OUTPUT.
+    """
+    eta, current = navigation.eta, navigation.current
+    along, _ = along_across(current, docking.heading)
+    u_goal = line_speed(
+        settings, docking.stage, docking.cleared, mode, plan.speed[plan.n_legs - 1], reverse_max,
+        along, view.left, docking.back_to,
+    )  # fmt: skip
+    u_r = u_d - along
+    approaching = docking.stage == APPROACH
+    learn = approaching and mode != FORWARD
+    psi_d = line_heading(dt, settings, current, u_r, learn, view, docking)
+    if approaching and mode == HOVER:
+        weathervane(dt, settings, plan, eta[5], u_r, docking)
+    return u_goal, navigation.target[2], psi_d

@@ -1,0 +1,48 @@
+"""What the docking automaton is set to, remembers and sees."""
+
+import numpy as np
+
+from bumpless.config.parameters.records import section_dtype
+
+f8, i8 = np.float64, np.int64
+
+DOCKING_SETTINGS = section_dtype("docking")
+
+DOCKING_STATE = np.dtype(
+    [
+        ("stage", i8),  # DockingStage of the contract; 0: the published automaton flies
+        ("stage_cycle", i8),  # at which the stage began
+        ("tried", i8),  # approaches begun
+        ("reason", i8),  # WaveOffReason of the last wave-off; 0: none yet
+        ("heading", f8),  # approach heading in use, rad
+        ("fix_age", i8),  # cycles since the last fix of the target
+        ("side", i8),  # of the turn on to the approach line: 1 clockwise, -1 the other way
+        ("cleared", i8),  # 1: the gate is passed
+        ("gate_cycles", i8),  # spent waiting: at the gate, in H outside its limits, at the hold point
+        ("back_to", f8),  # distance before the observation point where a way back ends, m
+        ("drift", f8),  # sideways drift learnt beside the estimated current, m/s
+        ("lateral_rate", f8),  # speed over ground across the approach line, to starboard, smoothed, m/s
+        ("surge_lag", f8),  # by how much speed stays behind its reference, smoothed, m/s
+        ("u_dot", f8),  # of the speed reference, m/s^2
+        ("depth_goal_rate", f8),  # of the depth reference, smoothed, m/s
+        ("pitch_share", f8),  # of depth control that pitch has
+        ("schedule", f8),  # share of the fin channels' gains in the last cycle; 0 before the first
+    ],
+    align=True,
+)
+
+DOCKING_OUTPUT = np.dtype(  # where the vehicle is on the approach line in this cycle
+    [
+        ("left", f8),  # way left along the line to the observation point, m
+        ("aside", f8),  # offset from the line, positive to starboard, m
+        ("off", f8),  # |heading error|, rad
+        ("deep", f8),  # |depth error| against the target, m
+        ("age", f8),  # of the last fix, s
+        ("detected", i8),  # chi
+        ("depth_moves", i8),  # 1 while the depth reference moves
+        ("schedule_fall", f8),  # factor by which the schedule fell in this cycle, at most 1
+        ("lift", f8),  # of the fins that pitch the hull, added to the demand in heave, N
+        ("asked", f8, 6),  # tau_d with that lift, N and N m
+    ],
+    align=True,
+)

@@ -1,0 +1,90 @@
+"""Gains and demand where pitch holds depth and thrust follows a reference. Beyond the paper."""
+
+from math import sqrt
+
+from bumpless.jit import jit
+from bumpless.physics.actuators import FIN
+from bumpless.physics.actuators.fin import wrench
+
+_TURNING = 0.1  # rad of heading error above which nothing is learnt of the yaw trim
+_FULL = 0.95  # share of the limit in heave at which the verticals are at their end
+_LEAST_SHARE = 1e-3  # of the schedule
+_HEAVE_LEFT = 0.05  # share of heave's weight that stays where pitch has depth
+
+
+@jit
+def note_schedule(schedule, view, docking):
+    """Note by which factor the share of the fin channels' gains fell in this cycle."""
+    before = docking.schedule
+    view.schedule_fall = min(schedule / before, 1.0) if before > 0.0 else 1.0
+    docking.schedule = schedule
+
+
+@jit
+def surge_feed(settings, model, u_d, u_dot, nu_c):
+    """Thrust that drag and inertia ask for at the speed reference, N.
+
+    X = (X_u + X_uu |u_r|) u_r + (m - X_u') u_d', with u_r = u_d - nu_c; nu_c: the water's speed ahead, m/s.
+    """
+    u_r = u_d - nu_c
+    drag = (model.D_linear[0, 0] + model.D_quadratic[0, 0] * abs(u_r)) * u_r
+    return settings.forward_feed * (drag + (model.M_RB[0, 0] + model.M_A[0, 0]) * u_dot)
+
+
+@jit
+def trim_gains(settings, model, navigation, u_d, errors, z_force, view, docking, gains):
+    """Change the GAINS record for docking: depth goes from heave to pitch, the yaw integral with the flow.
+
+    settings: DOCKING_SETTINGS; u_d: m/s; errors: the PID's smoothed ERRORS; z_force: last demand in heave, N.
+    """
+    share = docking.pitch_share
+    gains.share[2] *= 1.0 - share
+    gains.K_I[2] *= 0.0 if view.depth_moves == 1 else 1.0 - settings.pitch_integral * share
+    gains.windup[2] = 0.0  # draining the integral would give up the load that the verticals carry
+    if abs(z_force) > _FULL * gains.demand_limit[2] and errors.e[2] * z_force > 0.0:
+        gains.K_I[2] = 0.0
+    for i in range(4, 6):
+        if gains.share[i] > 0.0:
+            gains.K_D[i] /= sqrt(gains.share[i])  # moments of damping go with U, not U^2
+    gains.stays[5] = view.schedule_fall  # a trim of the fins: it goes with the flow
+    if abs(errors.e[5]) > _TURNING:
+        gains.K_I[5] = 0.0
+    nu_c = navigation.nu[0] - navigation.smooth_nu_r[0]
+    gains.ahead[0] = surge_feed(settings, model, u_d, docking.u_dot, nu_c)
+
+
+@jit
+def fin_lift(model, u, effectiveness, nu_flow):
+    """Force of the fins along z_b at the commands u (8,), N."""
+    lift = 0.0
+    for i in range(model.n_u):
+        if model.kind[i] == FIN:
+            _, _, z, _, _, _ = wrench(model, i, u, nu_flow)
+            lift += effectiveness[i] * z
+    return lift
+
+
+@jit
+def weigh_slow_moments(settings, problem, docking):
+    """Raise Q of M and N in slow flow, by 1 / share^2 up to `slow_worth`.
+
+    What fins can give falls with the square of the flow, and the worth of an error of moment must rise as
+    fast, or the price of commands wins and a slow hull is not steered at all.
+    """
+    rise = min(1.0 / max(docking.schedule, _LEAST_SHARE) ** 2, settings.slow_worth)
+    problem.Q[4] *= rise
+    problem.Q[5] *= rise
+
+
+@jit
+def leave_heave_to_pitch(model, problem, tau_d, view, docking):
+    """Where pitch holds depth, the lift of the fins that pitch the hull is no error of heave: it is added to
+    the demand, as it was a cycle ago, and heave weighs little. Fills view.asked (6,), N and N m."""
+    share = docking.pitch_share
+    view.lift = 0.0
+    if share > 0.0:
+        view.lift = share * fin_lift(model, problem.u_previous, problem.effectiveness, problem.nu_flow)
+    for k in range(6):
+        view.asked[k] = tau_d[k]
+    view.asked[2] += view.lift
+    problem.Q[2] *= 1.0 - (1.0 - _HEAVE_LEFT) * share

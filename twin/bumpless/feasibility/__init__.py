@@ -1,0 +1,11 @@
+"""What a vehicle can do of a mission, from the very model and rules that fly it: before it is flown.
+
+`station_keeping` says which headings can hold station in a current, for how long and why not; `check_mission`
+says what of a mission can't work or is unlikely to, with the nearest change that would.
+"""
+
+from bumpless.feasibility.finding import ERROR, WARNING, Finding
+from bumpless.feasibility.mission import check_mission
+from bumpless.feasibility.station import Station, station_keeping
+
+__all__ = ["ERROR", "WARNING", "Finding", "Station", "check_mission", "station_keeping"]

@@ -1,0 +1,128 @@
+"""Can the legs be flown: their speed, their depth, their time, and do they lead to the target?"""
+
+import math
+from collections.abc import Iterator
+from itertools import pairwise
+
+import numpy as np
+
+from bumpless.config.mission import Mission
+from bumpless.config.parameters import Parameters
+from bumpless.config.vehicle import Vehicle
+from bumpless.control.docking.line import approach_speed
+from bumpless.feasibility.finding import ERROR, WARNING, Finding
+from bumpless.feasibility.reach import docking_settings, plain, top_speed
+from bumpless.physics.model import build_model
+
+_CRAB_MOST = 0.35  # sine of the largest crab angle
+_ASIDE_M = 6.0  # from the last leg's end to the observation point: an approach can make up for no more
+_DEEPER_M = 1.0
+
+
+def check_legs(mission: Mission, vehicle: Vehicle, parameters: Parameters) -> Iterator[Finding]:
+    """Speed, ground speed and depth of each leg."""
+    fastest = top_speed(build_model(vehicle))
+    points = mission.path_ned_m
+    for i, (leg, (start, end)) in enumerate(zip(mission.legs, pairwise(points), strict=True)):
+        field = f"legs[{i}].speed_mps"
+        if leg.speed_mps > fastest:
+            text = f"{leg.speed_mps:g} m/s is faster than {vehicle.id} can be: {fastest:.2f} m/s."
+            yield Finding(ERROR, "leg_too_fast", field, text, f"Fly it at {fastest:.1f} m/s or slower.")
+            continue
+        if leg_speed(mission, i) <= 0.02:
+            text = "The current sets it off the leg faster than it can make good."
+            yield Finding(ERROR, "leg_not_flyable", field, text, "Fly it faster, or along another way.")
+            continue
+        yield from _depth(mission, i, start, end, parameters)
+
+
+def leg_speed(mission: Mission, i: int) -> float:
+    """Speed over ground that leg i is flown with in the mission's current, m/s; 0 where it can't be."""
+    start, end = mission.path_ned_m[i : i + 2]
+    course = math.atan2(end[1] - start[1], end[0] - start[0])
+    north, east, _ = mission.environment.current_ned_mps
+    along = north * math.cos(course) + east * math.sin(course)
+    across = -north * math.sin(course) + east * math.cos(course)
+    sine = across / mission.legs[i].speed_mps
+    if abs(sine) > _CRAB_MOST:
+        return 0.0
+    return max(mission.legs[i].speed_mps * math.sqrt(1.0 - sine * sine) + along, 0.0)
+
+
+def leg_time(mission: Mission, i: int) -> float:
+    """Time that leg i takes, s; infinite where it can't be flown."""
+    start, end = mission.path_ned_m[i : i + 2]
+    speed = leg_speed(mission, i)
+    return math.dist(start, end) / speed if speed > 0.0 else math.inf
+
+
+def _depth(
+    mission: Mission,
+    i: int,
+    start: tuple[float, float, float],
+    end: tuple[float, float, float],
+    parameters: Parameters,
+) -> Iterator[Finding]:
+    guidance, docking = parameters.guidance, parameters.docking
+    rate = docking.depth_rate_pitch_mps if docking.enabled else guidance.depth_rate_mps
+    if guidance.pitch_look_ahead_m > 0.0:
+        rate = max(rate, mission.legs[i].speed_mps * math.sin(math.radians(guidance.pitch_max_deg)))
+        rate = docking.depth_rate_pitch_mps if docking.enabled else rate
+    time, change = leg_time(mission, i), abs(end[2] - start[2])
+    if change - rate * time > 0.3:
+        text = f"{change:.1f} m of depth in {time:.0f} s is more than the {rate:g} m/s its depth can follow."
+        least = change / rate * leg_speed(mission, i)
+        what = f"Make the leg {least:.0f} m long, or fly it slower."
+        yield Finding(WARNING, "leg_too_steep", f"legs[{i}].to_ned_m", text, what)
+
+
+def approach_time(parameters: Parameters, mission: Mission) -> float:
+    """Time from the last leg's speed to rest at the observation point, s, less what the leg itself takes."""
+    speed = mission.legs[-1].speed_mps
+    if parameters.guidance.speed_min_mps > 0.0:
+        return 0.0
+    if parameters.docking.enabled:
+        settings = docking_settings(parameters.docking)
+        left = np.arange(0.05, 60.0, 0.05)
+        speeds = np.array([plain(approach_speed)(settings, float(x)) for x in left])
+    else:
+        guide = parameters.guidance
+        left = np.arange(0.05, parameters.supervisor.range_fr_lower_m, 0.05)
+        speeds = guide.reverse_speed_slope_per_s * left + guide.reverse_speed_offset_mps
+        speeds = np.minimum(speeds, guide.reverse_speed_max_mps)
+    slow = speeds < speed
+    return float(np.sum(0.05 / speeds[slow]) - np.sum(slow) * 0.05 / speed)
+
+
+def check_time(mission: Mission, parameters: Parameters) -> Iterator[Finding]:
+    """Is the way flown within the duration, with the approach and the hold?"""
+    way = sum(leg_time(mission, i) for i in range(len(mission.legs)))
+    more = approach_time(parameters, mission)
+    hold = mission.end.hover_hold_s or 10.0
+    total, most = way + more + hold, mission.duration_s
+    if not math.isfinite(way):
+        return
+    needed = f"Allow {math.ceil(total / 10.0) * 10:.0f} s."
+    if way > most:
+        text = f"The legs alone take {way:.0f} s, the mission ends after {most:g} s."
+        yield Finding(ERROR, "too_far", "duration_s", text, needed)
+    elif total > most:
+        text = f"Legs, approach and {hold:g} s of hover take about {total:.0f} s of {most:g} s."
+        yield Finding(WARNING, "short_of_time", "duration_s", text, needed)
+
+
+def check_end(mission: Mission) -> Iterator[Finding]:
+    """Does the last leg lead to the target?"""
+    end, point = mission.legs[-1].to_ned_m, mission.target.observation_point_ned_m
+    aside, deeper = math.dist(end[:2], point[:2]), point[2] - end[2]
+    field = f"legs[{len(mission.legs) - 1}].to_ned_m"
+    if aside > _ASIDE_M:
+        text = f"The last leg ends {aside:.1f} m from the observation point."
+        what = f"End it at [{point[0]:.1f}, {point[1]:.1f}, {point[2]:.1f}]."
+        yield Finding(WARNING, "target_not_on_path", field, text, what)
+    if abs(deeper) > _DEEPER_M:
+        side = "below" if deeper > 0.0 else "above"
+        text = f"The target lies {abs(deeper):.1f} m {side} the end of the last leg: is its depth mistyped?"
+        yield Finding(
+            WARNING, "target_depth", "target.position_ned_m", text, f"Let the leg end at {point[2]:g} m."
+        )

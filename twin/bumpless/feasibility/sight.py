@@ -1,0 +1,68 @@
+"""From where on the legs is the target seen, and what becomes of the legs that are left?"""
+
+import math
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from bumpless.config.mission import Mission
+from bumpless.config.parameters import Parameters
+from bumpless.config.vehicle import Vehicle
+from bumpless.feasibility.finding import WARNING, Finding
+from bumpless.feasibility.reach import plain
+from bumpless.physics.camera import in_view, view_from
+from bumpless.sim.settings import sensors_of
+
+_STEP_M = 0.25
+
+
+def seen_from(mission: Mission, vehicle: Vehicle, leg: int) -> float | None:
+    """Least distance to the observation point, m, at which the target is seen on a leg; None: never."""
+    sensors: Any = sensors_of(vehicle, mission).view(np.recarray)[0]
+    start, end = (np.array(x) for x in mission.path_ned_m[leg : leg + 2])
+    target, point = np.array(mission.target.position_ned_m), np.array(mission.target.observation_point_ned_m)
+    course, view = math.atan2(end[1] - start[1], end[0] - start[0]), np.zeros(3)
+    nearest = None
+    for share in np.arange(0.0, 1.0, _STEP_M / max(math.dist(start, end), _STEP_M)):
+        place = start + share * (end - start)
+        eta = np.array([*place, 0.0, 0.0, course])
+        plain(view_from)(sensors.camera_position[0], sensors.camera_pitch[0], eta, target, view)
+        if plain(in_view)(sensors, 0, view):
+            far = math.dist(place[:2], point[:2])
+            nearest = far if nearest is None else min(nearest, far)
+    return nearest
+
+
+def check_sight(mission: Mission, vehicle: Vehicle, parameters: Parameters) -> Iterator[Finding]:
+    """Legs before the last from which the target is seen."""
+    last = len(mission.legs) - 1
+    for i in range(last):
+        near = seen_from(mission, vehicle, i)
+        if near is None:
+            continue
+        field = f"legs[{i}].to_ned_m"
+        if parameters.docking.enabled:
+            text = (
+                f"The target is seen from this leg already, {near:.1f} m before the observation point; "
+                f"the {last - i} legs after it are flown all the same and the approach begins on the last."
+            )
+            yield Finding(WARNING, "seen_early", field, text, "Leave those legs out to dock from here.")
+        elif near <= parameters.supervisor.range_fr_lower_m:
+            text = f"The target is seen from here, {near:.1f} m away: the {last - i} legs left are skipped."
+            yield Finding(WARNING, "legs_skipped", field, text, "Keep this leg farther from the target.")
+
+
+def check_first_sight(mission: Mission, vehicle: Vehicle, parameters: Parameters) -> Iterator[Finding]:
+    """Is the target seen early enough on the approach line, at the camera's range and in this water?"""
+    if not parameters.docking.enabled:
+        return
+    sensors: Any = sensors_of(vehicle, mission).view(np.recarray)[0]
+    reach, murk = float(sensors.camera_range_max[0]), mission.environment.beam_attenuation_per_m
+    if murk > 0.0:
+        reach = min(reach, float(sensors.camera_sight) / murk)
+    left = reach - mission.target.standoff_m + float(sensors.camera_position[0][0])
+    if left < parameters.docking.break_off_m:
+        text = f"The target is seen {left:.1f} m before the observation point, past the place to break off."
+        field = "parameters.docking.break_off_m"
+        yield Finding(WARNING, "seen_too_late", field, text, f"Set it to {max(left - 1.0, 0.5):.1f} m.")

@@ -1,0 +1,23 @@
+"""Can a mission be flown? The public face of `bumpless.feasibility`."""
+
+from pathlib import Path
+
+from bumpless.config.mission import Mission
+from bumpless.config.vehicle import Vehicle, load_vehicle
+from bumpless.feasibility import Finding, check_mission
+from bumpless.runs.flight import load_mission
+
+
+def check(mission: Mission | str | Path, vehicle: Vehicle | str | None = None) -> tuple[Finding, ...]:
+    """What of a mission can't work (errors, first) or is unlikely to (warnings), and what would.
+
+    mission: or its file or name, see `load_mission`. vehicle: or its id or file; the mission's own when
+    None.
+    Nothing is flown: speeds, depths, times, what the camera sees on the way, and whether station can be
+    held in the mission's current follow from the vehicle's model and the autopilot's rules.
+
+    Raises MissionError, VehicleError or ParameterError with every problem.
+    """
+    who = load_vehicle(vehicle) if isinstance(vehicle, str) else vehicle
+    read = mission if isinstance(mission, Mission) else load_mission(mission, who)
+    return check_mission(read, who)
