@@ -66,9 +66,10 @@ def test_commands_follow_from_measurements_and_plan_alone(ts100, fault_tolerant)
     if not fault_tolerant:
         spoil(onboard["plan"]["faults"])
     sensors = sensors_of(ts100, mission)[0]
-    known = ("dvl_period", "camera_period", "camera_position", "camera_pitch")
-    for name in set(SENSORS.names or ()) - set(known):
-        sensors[name] = np.nan
+    known = {"dvl_period", "camera_period", "camera_position", "camera_pitch", "camera_latency"}
+    known |= {"camera_range_std", "camera_bearing_std", "usbl_period"}
+    for name in set(SENSORS.names or ()) - known:
+        sensors[name] = np.nan if SENSORS[name].base.kind == "f" else 0
     onboard["sensors"], onboard["model"] = sensors, build_model(ts100)
     onboard["model"]["smoothing"] = parameters.allocation.shaft_smoothing
     handle = make_handle(parameters.allocation.solver)

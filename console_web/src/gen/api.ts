@@ -927,11 +927,11 @@ export interface components {
         };
         /**
          * Range
-         * @description What one live-tunable number may be. `count`: the length of a vector.
+         * @description What one live-tunable number may be. `count`: 0 for one number, -1 for one per command.
          */
         Range: {
             /** Count */
-            count: number | string | null;
+            count: number;
             /** Label */
             label: string;
             /** Max */

@@ -94,7 +94,8 @@ def _listen(onboard: np.void, m: np.void) -> None:
     settings, s, sensors = onboard["settings"], onboard["state"], onboard["sensors"]
     allocation, dt, work = settings["allocation"], settings["dt"], onboard["scratch"]["estimator"]
     clock, navigation, estimator = s["clock"], s["navigation"], s["estimator"]
-    navigate(dt, clock, sensors, m, navigation, onboard["output"]["navigation"])
+    model, believed, out = onboard["model"], s["belief"]["effectiveness"], onboard["output"]["navigation"]
+    navigate(dt, settings["navigation"], clock, sensors, model, believed, m, navigation, out)
     estimate_effectiveness(
         dt, allocation["fault_evidence"], sensors, onboard["model"], m, navigation, estimator, work
     )

@@ -39,7 +39,7 @@ def autopilot_cycle(handle, onboard, m):
     settings, orders, s, out = onboard.settings, onboard.orders, onboard.state, onboard.output
     phase = orders.phase
     if phase != IDLE:
-        locate(settings, onboard.sensors, m, s, out.navigation)
+        locate(settings, onboard.sensors, onboard.model, m, s, out.navigation)
     if phase == IDLE or phase == ABORTED:
         see_flow(settings.guidance, s.navigation.smooth_nu_r, out.navigation.nu_flow)
         stop_actuators(settings.dt, onboard.model, out.navigation.nu_flow, s, out)
@@ -59,11 +59,12 @@ def is_completed(plan, cycle, hover_cycles):
 
 
 @jit
-def locate(settings, sensors, m, s, out):
+def locate(settings, sensors, model, m, s, out):
     """Where the vehicle is and how it moves through water; fills the NAVIGATION_OUTPUT. s: STATE."""
     navigation, first = s.navigation, s.clock.cycle == 0
-    navigate(settings.dt, s.clock, sensors, m, navigation, out)
-    smooth_flow(settings.dt, settings.guidance, first, out.nu_r, navigation.smooth_nu_r)
+    dt, believed = settings.dt, s.belief.effectiveness
+    navigate(dt, settings.navigation, s.clock, sensors, model, believed, m, navigation, out)
+    smooth_flow(dt, settings.guidance, first, out.nu_r, navigation.smooth_nu_r)
 
 
 @jit
@@ -78,7 +79,7 @@ def fly_cycle(handle, onboard, m):
             s.estimator, onboard.scratch.estimator,
         )  # fmt: skip
     if m.fresh == 1:
-        filter_detection(settings.supervisor, m.detected, s.supervisor)
+        filter_detection(settings.supervisor, out.navigation.sighted, s.supervisor)
     situation = out.situation
     look(plan, s.navigation, situation)
     switched = onboard.orders.change == 1
@@ -126,7 +127,7 @@ def regulate(settings, plan, model, mode, switched, s, out):
     """From references to the demand in force, s.switching.now.
 
     mode: whose gains and weights count; switched: a ramp into them begins in this cycle. s: STATE; out:
-    OUTPUT.
+    OUTPUT. What no actuator can push is not demanded. Source: Gao et al. 2026, eq. (22).
     """
     navigation, pid, switching, gains = s.navigation, s.pid, s.switching, out.gains
     errors, chosen = pid.smooth, settings.modes[mode - FORWARD]

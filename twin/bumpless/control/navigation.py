@@ -1,4 +1,4 @@
-"""Dead reckoning from INS, DVL and depth; the target's place from camera fixes.
+"""Dead reckoning from INS, DVL and depth.
 
 Small fixed-gain filters: the estimate must be smooth enough for derivative action and must not
 jump when a sample is missing. The autopilot works on this estimate alone.
@@ -8,11 +8,13 @@ from math import isfinite
 
 import numpy as np
 
-from bumpless.jit import inline, jit
+from bumpless.config.parameters.records import section_dtype
+from bumpless.control.bridge import SILENCE, add_current, coast
+from bumpless.control.target import find_target
+from bumpless.jit import jit
 from bumpless.jit.memory import floats
 from bumpless.physics.frames import body_to_ned, ned_to_body, wrap
-from bumpless.physics.lag import lag
-from bumpless.physics.sensors import target_position
+from bumpless.physics.lag import follow, lag
 
 f8, i8 = np.float64, np.int64
 
@@ -21,7 +23,8 @@ _T_DEPTH = 0.5  # s, depth sensor against integrated heave
 _T_RATE = 0.08  # s, smoothing of gyro rates
 _T_ATTITUDE = 0.15  # s, INS attitude against integrated rates
 _T_CURRENT = 8.0  # s, current estimate
-_T_TARGET = 0.6  # s of camera frames, target estimate
+
+NAVIGATION_SETTINGS = section_dtype("navigation")
 
 CLOCK = np.dtype(
     [
@@ -37,7 +40,11 @@ NAVIGATION_STATE = np.dtype(
         ("nu", f8, 6),
         ("current", f8, 3),  # NED, m/s
         ("target", f8, 3),  # NED, m
-        ("fixes", i8),  # of the target so far
+        ("silent", i8),  # cycles since the last sample of the DVL
+        ("fixes", i8),  # of the target by camera so far
+        ("target_variance", f8),  # m^2, of its estimate, where USBL is fitted; 0: none
+        ("doubt", f8, (2, 3)),  # last fix that wasn't believed, NED, m; by camera, by USBL
+        ("doubts", i8, 2),  # how many in a row agreed with it
         ("smooth_nu_r", f8, 6),  # nu_r after the lag of `smooth_flow`
     ],
     align=True,
@@ -47,21 +54,17 @@ NAVIGATION_OUTPUT = np.dtype(
     [
         ("nu_r", f8, 6),  # velocity through water: nu minus the current
         ("depth_rate", f8),  # m/s
+        ("sighted", i8),  # 1 in a cycle with a camera frame that shows the target where it may be
         ("nu_flow", f8, 6),  # what the allocator may see of the velocity through water
     ],
     align=True,
 )
 
 
-@inline
-def follow(value, sample, gain):
-    """value moved towards a sample by the share gain; a sample that is no number moves nothing."""
-    return value + gain * (sample - value) if isfinite(sample) else value
-
-
 @jit
-def navigate(dt, clock, sensors, m, state, out):
-    """Update the NAVIGATION_STATE `state` from the measurement `m`; fill out.nu_r and out.depth_rate."""
+def navigate(dt, settings, clock, sensors, model, effectiveness, m, state, out):
+    """Update the NAVIGATION_STATE `state` from the measurement `m`; fill the NAVIGATION_OUTPUT but for
+    nu_flow. settings: NAVIGATION_SETTINGS; effectiveness (n,): of the actuators, as believed."""
     ned = floats(3)
     fresh_start = clock.cycle == 0
     k_rate = 1.0 if fresh_start else lag(dt, _T_RATE)
@@ -83,6 +86,12 @@ def navigate(dt, clock, sensors, m, state, out):
         body_to_ned(eta[3], eta[4], eta[5], ned, ned)
         for k in range(3):
             state.current[k] = follow(state.current[k], ned[k], k_cur)
+    elif m.water_valid == 1:
+        k_vel = 1.0 if fresh_start else lag(dt * max(1, sensors.dvl_period), _T_VELOCITY)
+        add_current(k_vel, m, state)
+    state.silent = 0 if m.velocity_valid == 1 or m.water_valid == 1 else state.silent + 1
+    if state.silent > SILENCE * sensors.dvl_period:
+        coast(dt, model, m, effectiveness, state)
 
     body_to_ned(eta[3], eta[4], eta[5], nu, ned)
     for k in range(3):
@@ -96,17 +105,4 @@ def navigate(dt, clock, sensors, m, state, out):
         out.nu_r[k] = nu[k] - ned[k]
         out.nu_r[3 + k] = nu[3 + k]
 
-    if m.fresh == 1 and m.detected == 1:
-        find_target(dt, sensors, m.target, state)
-
-
-@jit
-def find_target(dt, sensors, view, state):
-    """Take in one sight of the target: view (3,) = range m, bearing and elevation rad in camera axes."""
-    ned = floats(3)
-    target_position(sensors, state.eta, view, ned)
-    gain = lag(dt * max(1, sensors.camera_period), _T_TARGET)
-    gain = max(gain, 1.0 / (1.0 + state.fixes))  # the first fixes replace the planned place
-    for k in range(3):
-        state.target[k] = follow(state.target[k], ned[k], gain)
-    state.fixes += 1
+    find_target(dt, settings, sensors, m, state, out)

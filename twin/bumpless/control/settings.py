@@ -5,6 +5,7 @@ import numpy as np
 from bumpless.config.capacity import N_MODES
 from bumpless.control.allocation.record import ALLOCATION_SETTINGS
 from bumpless.control.guidance.record import GUIDANCE_SETTINGS
+from bumpless.control.navigation import NAVIGATION_SETTINGS
 from bumpless.control.supervisor import SUPERVISOR_SETTINGS
 from bumpless.control.switching import MODE_SETTINGS, SWITCHING_SETTINGS
 
@@ -17,6 +18,7 @@ SETTINGS = np.dtype(
         ("bumpless", SWITCHING_SETTINGS),
         ("allocation", ALLOCATION_SETTINGS),
         ("guidance", GUIDANCE_SETTINGS),
+        ("navigation", NAVIGATION_SETTINGS),
         ("modes", MODE_SETTINGS, (N_MODES,)),  # of FORWARD, REVERSE, HOVER: modes[mode - FORWARD]
     ],
     align=True,

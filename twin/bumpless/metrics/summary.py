@@ -3,10 +3,10 @@
 from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
-from google.protobuf import json_format
 
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.enums import FORWARD, HOVER, REVERSE, SOLVED
+from bumpless.contract.messages import as_json
 from bumpless.contract.units import DEG, EDGE_PER_SI, WRENCH
 from bumpless.metrics.columns import Columns, Floats
 from bumpless.metrics.modes import ModeFigures, mode_figures
@@ -56,11 +56,7 @@ def metrics_of(run: Columns, vehicle: "Vehicle", run_id: str = "") -> pb.Metrics
 
 def as_dict(metrics: pb.Metrics) -> dict[str, Any]:
     """For JSON: the contract's field names, every field present, None for NaN."""
-    return _without_nan(
-        json_format.MessageToDict(
-            metrics, preserving_proto_field_name=True, always_print_fields_with_no_presence=True
-        )
-    )
+    return _without_nan(as_json(metrics))
 
 
 def _without_nan(value: Any) -> Any:

@@ -33,7 +33,7 @@ PLANT = np.dtype(
         ("eta", f8, 6),
         ("nu", f8, 6),
         ("u", f8, _n),  # where the actuators are, rad or rev/s
-        ("gust", f8, 3),
+        ("gust", f8, 6),  # of the current, m/s; from 3 on eddies of unit deviation
         ("effectiveness", f8, _n),
         ("seen", SEEN),
     ],
@@ -43,7 +43,7 @@ PLANT = np.dtype(
 
 @jit
 def state_rate(model, environment, gust, effectiveness, time, x, command, rate):
-    """rate (20,) = d/dt [eta nu u] at state x, commands held."""
+    """rate (20,) = d/dt [eta nu u] at state x, commands held. Source: Gao et al. 2026, eq. (1)-(7)."""
     eta, nu, u = x[0:6], x[6:12], x[12:20]
     phi, theta, psi = eta[3], eta[4], eta[5]
     v_c, a_c, body = floats(3), floats(3), floats(3)
@@ -75,7 +75,7 @@ def state_rate(model, environment, gust, effectiveness, time, x, command, rate):
 def step_plant(model, environment, faults, plant, command, dt, substeps, noise):
     """Advance `plant` by dt seconds in `substeps` Runge-Kutta steps under held commands (8,).
 
-    noise: at least 3 standard normal samples for the gusts.
+    noise: the cycle's standard normal samples, for gusts and eddies.
     """
     step_gust(environment, plant.gust, dt, noise)
     x, k, mid, total = floats(N_STATE), floats(N_STATE), floats(N_STATE), floats(N_STATE)

@@ -1,24 +1,27 @@
 """Parameters, mission and sensors as the records that compiled code reads: degrees become radians here."""
 
 from dataclasses import replace
-from math import radians
+from math import radians, sqrt
 from statistics import NormalDist
+from typing import Any
 
 import numpy as np
 
+from bumpless.config.capacity import MAX_FRAMES
 from bumpless.config.declare.record import fill_record
 from bumpless.config.mission import Mission
 from bumpless.config.parameters import Parameters
 from bumpless.config.vehicle import Vehicle
-from bumpless.config.vehicle.sensors import Camera
 from bumpless.control.plan import PLAN
 from bumpless.physics.sensors import SENSORS
+
+_HOUR_S = 3600.0
 
 
 def fill_settings(out: np.void, vehicle: Vehicle, parameters: Parameters) -> None:
     """Fill a SETTINGS record, section by section."""
     out["dt"] = vehicle.control_period_s
-    for section in ("supervisor", "bumpless", "allocation", "guidance"):
+    for section in ("supervisor", "bumpless", "allocation", "guidance", "navigation"):
         fill_record(getattr(parameters, section), out[section])
     for i, mode in enumerate(parameters.modes):
         fill_record(mode, out["modes"][i])
@@ -53,22 +56,34 @@ def _score(probability: float) -> float:
 def sensors_of(vehicle: Vehicle, mission: Mission) -> np.ndarray:
     """SENSORS record of a vehicle with a mission's changes, shape (1,)."""
     out = np.zeros(1, SENSORS)
-    s, v, rate = out[0], vehicle.sensors, 1.0 / vehicle.control_period_s
-    camera = _changed(v.camera, mission)
-    for part in (v.ins, v.dvl, v.depth, camera):
-        fill_record(part, s)
-    s["dvl_period"], s["camera_period"] = (
-        max(1, round(rate / v.dvl.rate_hz)),
-        max(1, round(rate / camera.rate_hz)),
+    s, v, said, period_s = out[0], vehicle.sensors, mission.sensors, vehicle.control_period_s
+    ins, dvl, camera = (
+        _changed(v.ins, said.ins),
+        _changed(v.dvl, said.dvl),
+        _changed(v.camera, said.detection),
     )
+    near, usbl = said.near_camera or v.near_camera, said.usbl or v.usbl
+    for part in (ins, dvl, v.depth, camera, near, usbl):
+        if part is not None:
+            fill_record(part, s)
+    s["n_cameras"] = 1 if near is None else 2
+    s["heading_walk"] = radians(ins.heading_drift_degprth) * sqrt(period_s / _HOUR_S)
+    s["dvl_period"], s["camera_period"] = (cycles(period_s, x.rate_hz) for x in (dvl, camera))
+    s["usbl_period"] = 0 if usbl is None else cycles(period_s, usbl.rate_hz)
+    s["camera_latency"] = min(round(camera.latency_s / period_s), (MAX_FRAMES - 1) * int(s["camera_period"]))
     s["dvl_dropout"], s["camera_dropout"] = (
-        _score(v.dvl.dropout_probability),
+        _score(dvl.dropout_probability),
         _score(camera.dropout_probability),
     )
     return out
 
 
-def _changed(camera: Camera, mission: Mission) -> Camera:
-    """The camera with what the mission says of it."""
-    said = vars(mission.sensors.detection) if mission.sensors.detection else {}
-    return replace(camera, **{name: value for name, value in said.items() if value is not None})
+def cycles(period_s: float, rate_hz: float) -> int:
+    """Control cycles from one measurement to the next."""
+    return max(1, round(1.0 / period_s / rate_hz))
+
+
+def _changed(part: Any, changes: object) -> Any:
+    """A part of the vehicle's sensors with what the mission says of it."""
+    said = vars(changes) if changes else {}
+    return replace(part, **{name: value for name, value in said.items() if value is not None})

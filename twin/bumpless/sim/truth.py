@@ -46,6 +46,11 @@ def truth_of(mission: Mission, vehicle: Vehicle) -> np.ndarray:
     errors["n_outages"] = len(mission.sensors.outages)
     for i, outage in enumerate(mission.sensors.outages):
         errors["outage"][i] = outage.from_s, outage.to_s
+    errors["n_dvl_outages"] = len(mission.sensors.dvl_outages)
+    for i, outage in enumerate(mission.sensors.dvl_outages):
+        errors["dvl_outage"][i] = outage.from_s, outage.to_s, outage.water_track
+    errors["water_depth"] = mission.environment.water_depth_m
+    errors["attenuation"] = mission.environment.beam_attenuation_per_m
     names = [command.actuator for command in vehicle.commands]
     faults["n"] = len(mission.faults)
     for i, fault in enumerate(mission.faults):
@@ -64,6 +69,14 @@ def _environment(out: np.void, mission: Mission) -> None:
     if env.wave:
         out["wave_height"], out["wave_period"] = env.wave.height_m, env.wave.period_s
         out["wave_direction"] = radians(env.wave.direction_deg)
+        out["wave_second_order"] = env.wave.second_order
+    out["n_profile"] = len(env.current_profile)
+    for i, entry in enumerate(env.current_profile):
+        out["profile_depth"][i], out["profile_current"][i] = entry.depth_m, entry.current_ned_mps
+    if env.shelter:
+        out["shelter_place"] = mission.target.true_position_ned_m
+        out["shelter_width"], out["shelter_drag"] = env.shelter.width_m, env.shelter.drag_coefficient
+        out["shelter_growth"], out["shelter_turbulence"] = env.shelter.growth, env.shelter.turbulence
     out["tau_e"] = env.disturbance_body_n_nm
 
 

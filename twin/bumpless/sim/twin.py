@@ -24,6 +24,7 @@ from bumpless.sim.cycle import fly
 from bumpless.sim.events import EventWriter, TwinEvent, completed_event, eventful, row_events
 from bumpless.sim.log import LOG
 from bumpless.sim.settings import fill_settings, plan_of, sensors_of
+from bumpless.sim.trim import load
 from bumpless.sim.truth import tell, truth_of
 from bumpless.sim.world import WORLD, clear, place_plant
 
@@ -108,6 +109,7 @@ class Twin:
         onboard, world = self.onboard, self.world
         onboard["sensors"] = world["sensors"] = sensors_of(self.vehicle, mission)[0]
         world["truth"], world["model"] = truth_of(mission, self.vehicle)[0], onboard["model"]
+        load(world["model"], mission.trim)
         if alter is not None:
             alter(world["model"], world["truth"])
         place_plant(world["truth"], world["sensors"], world["plant"], self._rng)

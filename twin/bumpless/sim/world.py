@@ -5,6 +5,7 @@ import numpy as np
 from bumpless.physics.model_record import MODEL
 from bumpless.physics.plant import PLANT
 from bumpless.physics.sensors import MEASUREMENT, SENSORS
+from bumpless.physics.water import water_velocity
 from bumpless.sim.truth import TRUTH
 
 WORLD = np.dtype(
@@ -31,6 +32,11 @@ def place_plant(truth: np.void, sensors: np.void, plant: np.void, rng: np.random
     plant["eta"] = truth["start"]
     psi, environment = plant["eta"][5], truth["environment"]
     current = environment["current"]
+    if environment["n_profile"] or environment["shelter_width"]:
+        current = np.zeros(3)
+        calm = environment.copy()
+        calm["wave_height"] = 0.0
+        water_velocity(calm, plant["gust"], 0.0, plant["eta"], current, np.zeros(3))
     plant["nu"][0] = truth["start_speed"] + current[0] * np.cos(psi) + current[1] * np.sin(psi)
     plant["nu"][1] = -current[0] * np.sin(psi) + current[1] * np.cos(psi)
     plant["effectiveness"] = 1.0
@@ -38,3 +44,14 @@ def place_plant(truth: np.void, sensors: np.void, plant: np.void, rng: np.random
     truth["errors"]["heading_bias"] = draws[0] * sensors["heading_bias_std"]
     truth["errors"]["depth_bias"] = draws[1] * sensors["depth_bias_std"]
     plant["gust"][:2] = draws[2:4] * environment["gust_std"]
+    draw_more(truth["errors"], sensors, plant, rng.spawn(1)[0])
+
+
+def draw_more(errors: np.void, sensors: np.void, plant: np.void, rng: np.random.Generator) -> None:
+    """Draw what came later than the first four numbers, from a stream beside: it shifts no other."""
+    draws = rng.standard_normal(9)
+    errors["roll_pitch_bias"] = draws[:2] * sensors["roll_pitch_bias_std"]
+    errors["dvl_scale"] = draws[2] * sensors["dvl_scale_std"]
+    errors["dvl_water_bias"] = draws[3:6] * sensors["dvl_water_bias_std"]
+    plant["gust"][3:] = draws[6:]
+    errors["key"] = rng.integers(2**63)

@@ -23,6 +23,8 @@ _PLANT = ("eta", "nu", "u")
 _NOT_STATE = {
     "clock.time",
     "navigation.target",
+    "navigation.target_variance",
+    "navigation.doubt",
     "guidance.b",
     "switching.ramp_length",
     "switching.kappa",

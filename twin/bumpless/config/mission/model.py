@@ -10,33 +10,18 @@ import math
 from dataclasses import field
 from typing import Annotated, Any
 
-from bumpless.config.capacity import MAX_FAULTS, MAX_OUTAGES, MAX_WAYPOINTS
+from bumpless.config.capacity import MAX_FAULTS, MAX_WAYPOINTS
 from bumpless.config.declare import Entries, Number, Overrides, Part, Row, Text, model
-from bumpless.config.names import NED, WRENCH
+from bumpless.config.mission.notes import Vector3, direction, moment, position
+from bumpless.config.mission.sea import Environment
+from bumpless.config.mission.sensing import Sensors
+from bumpless.config.mission.trim import Trim
+from bumpless.config.names import NED
 from bumpless.config.parameters import Parameters
 from bumpless.config.problems import ProblemsError
 from bumpless.contract.names import MISSION
 
 VERSION = 1
-
-Vector3 = tuple[float, float, float]
-Vector6 = tuple[float, float, float, float, float, float]
-
-
-def direction(label: str) -> Number:
-    """A direction in the horizontal plane, from north over east."""
-    return Number(label, "deg", -360.0, 360.0)
-
-
-def position(label: str) -> Row:
-    """A place in NED; depth is positive down and never above the water."""
-    hints = ("", "", "depth is positive down")
-    return Row(label, "m", (-1e5, -1e5, 0.0), (1e5, 1e5, 11000.0), names=NED, hints=hints)
-
-
-def moment(label: str) -> Number:
-    """A time of the mission."""
-    return Number(label, "s", 0.0, 1e5)
 
 
 def short_name(label: str) -> Text:
@@ -99,67 +84,6 @@ class Target:
 
 
 @model
-class CurrentVariation:
-    """First-order Gauss-Markov variation added to each horizontal component of the current."""
-
-    std_mps: Annotated[float, Number("Standard deviation", "m/s", 0.0, 2.0)]
-    time_constant_s: Annotated[float, Number("Correlation time", "s", 0.1, 1e5)]
-
-
-@model
-class Wave:
-    """A regular deep-water wave whose orbital motion decays with depth."""
-
-    height_m: Annotated[float, Number("Height from trough to crest", "m", 0.0, 20.0)]
-    period_s: Annotated[float, Number("Period", "s", 1.0, 60.0)]
-    direction_deg: Annotated[float, direction("Heading towards which it travels")] = 0.0
-
-
-@model
-class Environment:
-    """What acts on the vehicle besides itself."""
-
-    current_ned_mps: Annotated[Vector3, Row("Current, the way it flows", "m/s", -5.0, 5.0, names=NED)] = (
-        0.0,
-        0.0,
-        0.0,
-    )
-    current_variation: Annotated[CurrentVariation | None, Part("Slow change of the current")] = None
-    wave: Annotated[Wave | None, Part("Wave")] = None
-    disturbance_body_n_nm: Annotated[
-        Vector6, Row("Constant disturbance τ_e in body axes", "N or N·m", -1e4, 1e4, names=WRENCH)
-    ] = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
-
-
-@model
-class Detection:
-    """What this mission changes of the vehicle's target camera; what is left out stays."""
-
-    range_max_m: Annotated[float | None, Number("Farthest detection", "m", 0.1, 200.0)] = None
-    field_of_view_half_deg: Annotated[float | None, Number("Half angle of view", "deg", 1.0, 90.0)] = None
-    dropout_probability: Annotated[float | None, Number("Share of frames missed", "", 0.0, 1.0)] = None
-
-
-@model
-class Outage:
-    """A time in which the target isn't seen, whatever the geometry."""
-
-    from_s: Annotated[float, moment("Begin")]
-    to_s: Annotated[float, moment("End")]
-
-
-@model
-class Sensors:
-    """What this mission changes of the vehicle's sensors."""
-
-    noise_scale: Annotated[
-        float, Number("Factor on every noise of the vehicle file; 0 is none", "", 0.0, 20.0)
-    ] = 1.0
-    detection: Annotated[Detection | None, Part("Target camera")] = None
-    outages: Annotated[tuple[Outage, ...], Entries("Times without the target", most=MAX_OUTAGES)] = ()
-
-
-@model
 class Fault:
     """An actuator loses effect: its force falls to `effectiveness` of the healthy one."""
 
@@ -201,6 +125,7 @@ class Document:
         dict[str, Any], Overrides("Overrides of the vehicle's control parameters", of=Parameters)
     ] = field(default_factory=dict)
     end: Annotated[End, Part("Early end")] = End()
+    trim: Annotated[Trim | None, Part("Ballast and buoyancy of the simulated vehicle")] = None
 
 
 @model

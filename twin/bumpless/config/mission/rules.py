@@ -17,7 +17,7 @@ SHORTEST_LEG_M = 0.5
 
 def broken_rules(mission: Mission, vehicle: Vehicle | None, any_vehicle: bool = False) -> list[Broken]:
     """Every broken rule, by its path in the file."""
-    found = [*_legs(mission), *_target(mission), *_times(mission)]
+    found = [*_legs(mission), *_target(mission), *_times(mission), *_sea(mission), *_weights(mission)]
     if vehicle is None:
         try:
             vehicle = load_vehicle(mission.vehicle)
@@ -73,10 +73,11 @@ def _target(mission: Mission) -> Iterator[tuple[str, object, str]]:
 
 
 def _times(mission: Mission) -> Iterator[tuple[str, object, str]]:
-    for i, outage in enumerate(mission.sensors.outages):
-        if not outage.from_s < outage.to_s:
-            rule = f"must be after from_s ({outage.from_s:g})"
-            yield f"sensors.outages[{i}].to_s", outage.to_s, rule
+    for name in ("outages", "dvl_outages"):
+        for i, outage in enumerate(getattr(mission.sensors, name)):
+            if not outage.from_s < outage.to_s:
+                rule = f"must be after from_s ({outage.from_s:g})"
+                yield f"sensors.{name}[{i}].to_s", outage.to_s, rule
     for i, fault in enumerate(mission.faults):
         if fault.at_s >= mission.duration_s:
             yield f"faults[{i}].at_s", fault.at_s, f"must be before the end at {mission.duration_s:g} s"
@@ -94,3 +95,21 @@ def _faults(mission: Mission, vehicle: Vehicle) -> Iterator[tuple[str, object, s
         elif fault.actuator in seen:
             yield f"faults[{i}].actuator", fault.actuator, "has a fault already; one per actuator"
         seen.add(fault.actuator)
+
+
+def _sea(mission: Mission) -> Iterator[tuple[str, object, str]]:
+    for i, (above, below) in enumerate(pairwise(mission.environment.current_profile)):
+        if not above.depth_m < below.depth_m:
+            rule = f"must be deeper than the entry before ({above.depth_m:g} m)"
+            yield f"environment.current_profile[{i + 1}].depth_m", below.depth_m, rule
+    deepest = max(point[2] for point in (*mission.path_ned_m, mission.target.true_position_ned_m))
+    bottom = mission.environment.water_depth_m
+    if 0.0 < bottom <= deepest:
+        rule = f"must be more than the mission's deepest point ({deepest:g} m), or 0"
+        yield "environment.water_depth_m", bottom, rule
+
+
+def _weights(mission: Mission) -> Iterator[tuple[str, object, str]]:
+    for i, weight in enumerate(mission.trim.weights if mission.trim else ()):
+        if weight.from_m is None and weight.to_m is None:
+            yield f"trim.weights[{i}]", None, "needs from_m, to_m or both"

@@ -11,6 +11,7 @@ from bumpless.config.declare import Part, model
 from bumpless.config.parameters.allocation import AllocationParameters
 from bumpless.config.parameters.guidance import GuidanceParameters
 from bumpless.config.parameters.modes import ModeParameters
+from bumpless.config.parameters.navigation import NavigationParameters
 from bumpless.config.parameters.supervisor import SupervisorParameters
 from bumpless.config.parameters.switching import BumplessParameters
 
@@ -26,6 +27,7 @@ class Parameters:
     bumpless: Annotated[BumplessParameters, Part("What makes switches bumpless")]
     allocation: Annotated[AllocationParameters, Part("Allocation of the demand to the actuators")]
     guidance: Annotated[GuidanceParameters, Part("References, and how gains follow speed")]
+    navigation: Annotated[NavigationParameters, Part("What the sensors are believed")]
 
     @property
     def modes(self) -> tuple[ModeParameters, ModeParameters, ModeParameters]:

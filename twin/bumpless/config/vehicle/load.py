@@ -9,7 +9,7 @@ import tomllib
 from pathlib import Path
 from typing import Any
 
-from bumpless.config.capacity import MAX_ACTUATORS
+from bumpless.config.capacity import MAX_ACTUATORS, MAX_FRAMES
 from bumpless.config.declare import Broken, Unread, read
 from bumpless.config.problems import Problem, ProblemsError
 from bumpless.config.text import BOM, NotText, decoded, foreign_kind
@@ -108,7 +108,12 @@ def _rules(document: Document) -> list[Broken]:
     if count > MAX_ACTUATORS:
         rule = f"must have {MAX_ACTUATORS} commands at most, they have {count}"
         found.append(Broken("actuators", None, rule))
+    for name in ("camera", "near_camera"):
+        camera = getattr(document.sensors, name)
+        if camera is not None and camera.range_max_m <= camera.range_min_m:
+            found.append(Broken(f"sensors.{name}.range_max_m", camera.range_max_m, "must be > range_min_m"))
     camera = document.sensors.camera
-    if camera.range_max_m <= camera.range_min_m:
-        found.append(Broken("sensors.camera.range_max_m", camera.range_max_m, "must be > range_min_m"))
+    if camera.latency_s * camera.rate_hz > MAX_FRAMES - 2:
+        rule = f"must be at most {(MAX_FRAMES - 2) / camera.rate_hz:g}: {MAX_FRAMES} frames on their way"
+        found.append(Broken("sensors.camera.latency_s", camera.latency_s, rule))
     return found

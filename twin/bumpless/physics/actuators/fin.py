@@ -27,7 +27,10 @@ TRUST = (
 
 
 def fill(model: "np.record", i: int, fin: "Fin", rho: float) -> None:
-    """Fill slot i of a MODEL record from the vehicle file's entry; angles become radians."""
+    """Fill slot i of a MODEL record from the vehicle file's entry; angles become radians.
+
+    Source: eq. (13), (35)-(36).
+    """
     model["position"][i] = fin.position_m
     model["direction"][i] = fin.direction
     model["command_min"][i] = -math.radians(fin.deflection_max_deg)
@@ -153,7 +156,10 @@ def to_command(model, i, x):
 
 @inline
 def add_map(model, i, x, u_previous, alpha, nu_r, tau, column):
-    """Add alpha times the wrench at x (8,) to tau (6,), and its derivative to column[i] (6,)."""
+    """Add alpha times the wrench at x (8,) to tau (6,), and its derivative to column[i] (6,).
+
+    Source: eq. (27)-(34).
+    """
     e, scale = model.direction[i], model.command_max[i]
     fx, fe, dx, de = fin_force(model, i, x[i] * scale, nu_r)
     add_force(model, i, alpha * (fx + fe * e[0]), alpha * fe * e[1], alpha * fe * e[2], tau)
