@@ -17,7 +17,7 @@ import type { Message } from "@bufbuild/protobuf";
  * Describes the file bumpless.proto.
  */
 export const file_bumpless: GenFile = /*@__PURE__*/
-  fileDesc("Cg5idW1wbGVzcy5wcm90bxIIYnVtcGxlc3MiKgoHVmVjdG9yMxIJCgF4GAEgASgBEgkKAXkYAiABKAESCQoBehgDIAEoASJACghBdHRpdHVkZRIQCghyb2xsX2RlZxgBIAEoARIRCglwaXRjaF9kZWcYAiABKAESDwoHeWF3X2RlZxgDIAEoASJZCgZXcmVuY2gSCwoDeF9uGAEgASgBEgsKA3lfbhgCIAEoARILCgN6X24YAyABKAESDAoEa19ubRgEIAEoARIMCgRtX25tGAUgASgBEgwKBG5fbm0YBiABKAEiPwoFU3RhbXASDwoHdGltZV9ucxgBIAEoBBIWCg5taXNzaW9uX3RpbWVfcxgCIAEoARINCgVjeWNsZRgDIAEoBCKAAwoKTmF2aWdhdGlvbhIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEikKDnBvc2l0aW9uX25lZF9tGAIgASgLMhEuYnVtcGxlc3MuVmVjdG9yMxIkCghhdHRpdHVkZRgDIAEoCzISLmJ1bXBsZXNzLkF0dGl0dWRlEiwKEXZlbG9jaXR5X2JvZHlfbXBzGAQgASgLMhEuYnVtcGxlc3MuVmVjdG9yMxI6Ch92ZWxvY2l0eV90aHJvdWdoX3dhdGVyX2JvZHlfbXBzGAUgASgLMhEuYnVtcGxlc3MuVmVjdG9yMxIyChdhbmd1bGFyX3JhdGVfYm9keV9kZWdwcxgGIAEoCzIRLmJ1bXBsZXNzLlZlY3RvcjMSDwoHZGVwdGhfbRgHIAEoARIdChVzcGVlZF9vdmVyX2dyb3VuZF9tcHMYCCABKAESMwoYY3VycmVudF9lc3RpbWF0ZV9uZWRfbXBzGAkgASgLMhEuYnVtcGxlc3MuVmVjdG9yMyKUAgoIR3VpZGFuY2USHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIhChlzdXJnZV9zcGVlZF9yZWZlcmVuY2VfbXBzGAIgASgBEhkKEWRlcHRoX3JlZmVyZW5jZV9tGAMgASgBEi4KEmF0dGl0dWRlX3JlZmVyZW5jZRgEIAEoCzISLmJ1bXBsZXNzLkF0dGl0dWRlEhsKE2Nyb3NzX3RyYWNrX2Vycm9yX20YBSABKAESGwoTYWxvbmdfdHJhY2tfZXJyb3JfbRgGIAEoARILCgNsZWcYByABKA0SEQoJbGVnX2NvdW50GAggASgNEiAKGHN3YXlfc3BlZWRfcmVmZXJlbmNlX21wcxgJIAEoASKXAwoKU3VwZXJ2aXNvchIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEhwKBG1vZGUYAiABKA4yDi5idW1wbGVzcy5Nb2RlEiUKDXByZXZpb3VzX21vZGUYAyABKA4yDi5idW1wbGVzcy5Nb2RlEg8KB3JhbmdlX20YBCABKAESFQoNZGV0ZWN0aW9uX3JhdxgFIAEoCBIRCglkZXRlY3Rpb24YBiABKAgSDQoFa2FwcGEYByABKAESFgoOdGltZV9pbl9tb2RlX3MYCCABKAESGQoRZHdlbGxfcmVtYWluaW5nX3MYCSABKAESGAoQcmFuZ2VfcmhfbG93ZXJfbRgKIAEoARIYChByYW5nZV9yaF91cHBlcl9tGAsgASgBEhgKEHJhbmdlX2ZyX2xvd2VyX20YDCABKAESGAoQcmFuZ2VfZnJfdXBwZXJfbRgNIAEoARIYChByYW5nZV9oZl91cHBlcl9tGA4gASgBEiUKBXBoYXNlGA8gASgOMhYuYnVtcGxlc3MuTWlzc2lvblBoYXNlIt8BCgdDb250cm9sEh4KBXN0YW1wGAEgASgLMg8uYnVtcGxlc3MuU3RhbXASIgoIZGVtYW5kZWQYAiABKAsyEC5idW1wbGVzcy5XcmVuY2gSJgoMZGVtYW5kZWRfcmF3GAMgASgLMhAuYnVtcGxlc3MuV3JlbmNoEiIKCGFjaGlldmVkGAQgASgLMhAuYnVtcGxlc3MuV3JlbmNoEiIKCHJlc2lkdWFsGAUgASgLMhAuYnVtcGxlc3MuV3JlbmNoEiAKBmZyb3plbhgGIAEoCzIQLmJ1bXBsZXNzLldyZW5jaCL6AQoKQWxsb2NhdGlvbhIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEiUKBnN0YXR1cxgCIAEoDjIVLmJ1bXBsZXNzLlNvbHZlU3RhdHVzEhYKDnNxcF9pdGVyYXRpb25zGAMgASgNEhQKDGtrdF9yZXNpZHVhbBgEIAEoARIVCg1yZXNpZHVhbF9ub3JtGAUgASgBEgwKBGNvc3QYBiABKAESFQoNc29sdmVfdGltZV91cxgHIAEoARIXCg9zYXR1cmF0ZWRfY291bnQYCCABKA0SDgoGc29sdmVyGAkgASgJEhIKCnNsYWNrX25vcm0YCiABKAEisQIKCEFjdHVhdG9yEgwKBG5hbWUYASABKAkSDAoEdW5pdBgCIAEoCRIPCgdjb21tYW5kGAMgASgBEhAKCGZlZWRiYWNrGAQgASgBEg0KBWxvd2VyGAUgASgBEg0KBXVwcGVyGAYgASgBEhcKD2FtcGxpdHVkZV9sb3dlchgHIAEoARIXCg9hbXBsaXR1ZGVfdXBwZXIYCCABKAESEQoJc2F0dXJhdGVkGAkgASgIEhQKDHJhdGVfbGltaXRlZBgKIAEoCBIXCg9pbmNyZW1lbnRfYm91bmQYCyABKAESGgoNZWZmZWN0aXZlbmVzcxgMIAEoAUgAiAEBEhYKDmZhdWx0X2V2aWRlbmNlGA0gASgBEg4KBmZhdWx0eRgOIAEoCEIQCg5fZWZmZWN0aXZlbmVzcyJSCglBY3R1YXRvcnMSHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIlCglhY3R1YXRvcnMYAiADKAsyEi5idW1wbGVzcy5BY3R1YXRvciL0AQoGVGFyZ2V0Eh4KBXN0YW1wGAEgASgLMg8uYnVtcGxlc3MuU3RhbXASEAoIZGV0ZWN0ZWQYAiABKAgSGAoQbWVhc3VyZWRfcmFuZ2VfbRgDIAEoARITCgtiZWFyaW5nX2RlZxgEIAEoARIVCg1lbGV2YXRpb25fZGVnGAUgASgBEikKDnBvc2l0aW9uX25lZF9tGAYgASgLMhEuYnVtcGxlc3MuVmVjdG9yMxITCgtoZWFkaW5nX2RlZxgHIAEoARIyChdvYnNlcnZhdGlvbl9wb2ludF9uZWRfbRgIIAEoCzIRLmJ1bXBsZXNzLlZlY3RvcjMi3QEKDU1pc3Npb25TdGF0dXMSHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIlCgVwaGFzZRgCIAEoDjIWLmJ1bXBsZXNzLk1pc3Npb25QaGFzZRIOCgZydW5faWQYAyABKAkSFAoMbWlzc2lvbl9uYW1lGAQgASgJEhYKDm1pc3Npb25fc2hhMjU2GAUgASgJEhIKCmR1cmF0aW9uX3MYBiABKAESEQoJZWxhcHNlZF9zGAcgASgBEgwKBHNlZWQYCCABKA0SEgoKZW5kX3JlYXNvbhgJIAEoCSKGAQoEUGxhbhIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEhEKCWZpbGVfbmFtZRgCIAEoCRIUCgxtaXNzaW9uX3lhbWwYAyABKAkSDgoGc2hhMjU2GAQgASgJEiUKCnBhdGhfbmVkX20YBSADKAsyES5idW1wbGVzcy5WZWN0b3IzIl0KDk1vZGVQYXJhbWV0ZXJzEhIKCnFfZGlhZ29uYWwYASADKAESEgoKcl9kaWFnb25hbBgCIAMoARIOCgZsYW1iZGEYAyABKAESEwoLcmFtcF9jeWNsZXMYBCABKA0i/wEKFFN1cGVydmlzb3JQYXJhbWV0ZXJzEhgKEHJhbmdlX3JoX2xvd2VyX20YASABKAESGAoQcmFuZ2VfcmhfdXBwZXJfbRgCIAEoARIYChByYW5nZV9mcl9sb3dlcl9tGAMgASgBEhgKEHJhbmdlX2ZyX3VwcGVyX20YBCABKAESGAoQcmFuZ2VfaGZfdXBwZXJfbRgFIAEoARIUCgxkd2VsbF9jeWNsZXMYBiABKA0SFgoOZGV0ZWN0aW9uX2hpdHMYByABKA0SGAoQZGV0ZWN0aW9uX3dpbmRvdxgIIAEoDRIdChVkZXRlY3Rpb25faG9sZF9jeWNsZXMYCSABKA0iXwoSQnVtcGxlc3NQYXJhbWV0ZXJzEgwKBHJhbXAYASABKAgSHAoUaW50ZWdyYXRvcl9hbGlnbm1lbnQYAiABKAgSHQoVd2FybV9zdGFydF9wcm9qZWN0aW9uGAMgASgIIu8BCgpQYXJhbWV0ZXJzEikKB2ZvcndhcmQYASABKAsyGC5idW1wbGVzcy5Nb2RlUGFyYW1ldGVycxIpCgdyZXZlcnNlGAIgASgLMhguYnVtcGxlc3MuTW9kZVBhcmFtZXRlcnMSJwoFaG92ZXIYAyABKAsyGC5idW1wbGVzcy5Nb2RlUGFyYW1ldGVycxIyCgpzdXBlcnZpc29yGAQgASgLMh4uYnVtcGxlc3MuU3VwZXJ2aXNvclBhcmFtZXRlcnMSLgoIYnVtcGxlc3MYBSABKAsyHC5idW1wbGVzcy5CdW1wbGVzc1BhcmFtZXRlcnMiuwEKEFBhcmFtZXRlcnNTdGF0dXMSHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIkCgZhY3RpdmUYAiABKAsyFC5idW1wbGVzcy5QYXJhbWV0ZXJzEhAKCHJldmlzaW9uGAMgASgEEg4KBnNoYTI1NhgEIAEoCRImCghkZWZhdWx0cxgFIAEoCzIULmJ1bXBsZXNzLlBhcmFtZXRlcnMSFwoPcGFyYW1ldGVyc19qc29uGAYgASgJIuQBChJWZWhpY2xlRGVzY3JpcHRpb24SHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBISCgp2ZWhpY2xlX2lkGAIgASgJEhQKDHZlaGljbGVfbmFtZRgDIAEoCRIUCgx2ZWhpY2xlX3RvbWwYBCABKAkSDgoGc2hhMjU2GAUgASgJEhgKEHNvZnR3YXJlX3ZlcnNpb24YBiABKAkSGAoQY29udHJvbF9wZXJpb2RfcxgHIAEoARIWCg5hY3R1YXRvcl9uYW1lcxgIIAMoCRISCgpzZXNzaW9uX2lkGAkgASgJIowCCgZIZWFsdGgSHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIOCgZjeWNsZXMYAiABKAQSFQoNbWlzc2VkX2N5Y2xlcxgDIAEoBBIXCg9sYXRlbmVzc19wOTlfbXMYBCABKAESFwoPbGF0ZW5lc3NfbWF4X21zGAUgASgBEhkKEWN5Y2xlX3RpbWVfcDUwX3VzGAYgASgBEhkKEWN5Y2xlX3RpbWVfcDk5X3VzGAcgASgBEhYKDnJlc2lkZW50X2J5dGVzGAggASgEEhIKCnByb2Nlc3NfaWQYCSABKA0SEQoJaG9zdF9uYW1lGAogASgJEhQKDGRyb3BwZWRfcm93cxgLIAEoBCLIAQoFRXZlbnQSHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIkCghzZXZlcml0eRgCIAEoDjISLmJ1bXBsZXNzLlNldmVyaXR5EgwKBGNvZGUYAyABKAkSDAoEdGV4dBgEIAEoCRItCgdkZXRhaWxzGAUgAygLMhwuYnVtcGxlc3MuRXZlbnQuRGV0YWlsc0VudHJ5Gi4KDERldGFpbHNFbnRyeRILCgNrZXkYASABKAkSDQoFdmFsdWUYAiABKAk6AjgBIv8CCgpUcnV0aFN0YXRlEh4KBXN0YW1wGAEgASgLMg8uYnVtcGxlc3MuU3RhbXASKQoOcG9zaXRpb25fbmVkX20YAiABKAsyES5idW1wbGVzcy5WZWN0b3IzEiQKCGF0dGl0dWRlGAMgASgLMhIuYnVtcGxlc3MuQXR0aXR1ZGUSLAoRdmVsb2NpdHlfYm9keV9tcHMYBCABKAsyES5idW1wbGVzcy5WZWN0b3IzEjIKF2FuZ3VsYXJfcmF0ZV9ib2R5X2RlZ3BzGAUgASgLMhEuYnVtcGxlc3MuVmVjdG9yMxIpCg9hY3R1YXRvcl93cmVuY2gYBiABKAsyEC5idW1wbGVzcy5XcmVuY2gSKgoPY3VycmVudF9uZWRfbXBzGAcgASgLMhEuYnVtcGxlc3MuVmVjdG9yMxIVCg1lZmZlY3RpdmVuZXNzGAggAygBEjAKFXRhcmdldF9wb3NpdGlvbl9uZWRfbRgJIAEoCzIRLmJ1bXBsZXNzLlZlY3RvcjMiZQoMU3RhcnRNaXNzaW9uEhEKCWZpbGVfbmFtZRgBIAEoCRIUCgxtaXNzaW9uX3lhbWwYAiABKAkSEQoEc2VlZBgDIAEoDUgAiAEBEhAKCG9wZXJhdG9yGAQgASgJQgcKBV9zZWVkIgcKBUVtcHR5IncKDENvbW1hbmRSZXBseRIQCghhY2NlcHRlZBgBIAEoCBIOCgZyZWFzb24YAiABKAkSIwoIcHJvYmxlbXMYAyADKAsyES5idW1wbGVzcy5Qcm9ibGVtEg4KBnJ1bl9pZBgEIAEoCRIQCghyZXZpc2lvbhgFIAEoBCJhCgdQcm9ibGVtEgwKBGZpbGUYASABKAkSDAoEbGluZRgCIAEoDRIOCgZjb2x1bW4YAyABKA0SDQoFZmllbGQYBCABKAkSDQoFdmFsdWUYBSABKAkSDAoEcnVsZRgGIAEoCSK1AQoNU3dpdGNoTWV0cmljcxIhCglmcm9tX21vZGUYASABKA4yDi5idW1wbGVzcy5Nb2RlEh8KB3RvX21vZGUYAiABKA4yDi5idW1wbGVzcy5Nb2RlEg4KBnRpbWVfcxgDIAEoARIfChdjb21tYW5kX3N0ZXBfbm9ybWFsaXNlZBgEIAEoARIYChBjb21tYW5kX3N0ZXBfcmF3GAUgASgBEhUKDWFjdHVhdG9yX3N0ZXAYBiADKAEijwIKC01vZGVNZXRyaWNzEhwKBG1vZGUYASABKA4yDi5idW1wbGVzcy5Nb2RlEhIKCmR1cmF0aW9uX3MYAiABKAESDwoHc2FtcGxlcxgDIAEoDRITCgtkZXB0aF9ybXNfbRgEIAEoARIcChRkZXB0aF9wZWFrX3RvX3BlYWtfbRgFIAEoARIUCgxyb2xsX3Jtc19kZWcYBiABKAESFQoNcGl0Y2hfcm1zX2RlZxgHIAEoARITCgt5YXdfcm1zX2RlZxgIIAEoARIcChRzdXJnZV9zcGVlZF9tZWFuX21wcxgJIAEoARIUCgxhY3R1YXRvcl9ybXMYCiADKAESFAoMcmVzaWR1YWxfcm1zGAsgASgBIukDCgdNZXRyaWNzEg4KBnJ1bl9pZBgBIAEoCRISCgpkdXJhdGlvbl9zGAIgASgBEg4KBmN5Y2xlcxgDIAEoDRIUCgxyZXNpZHVhbF9ybXMYBCABKAESGAoQc2F0dXJhdGlvbl9yYXRpbxgFIAEoARIOCgZkX3VfZnIYBiABKAESDgoGZF91X3JoGAcgASgBEikKCHN3aXRjaGVzGAggAygLMhcuYnVtcGxlc3MuU3dpdGNoTWV0cmljcxIkCgVtb2RlcxgJIAMoCzIVLmJ1bXBsZXNzLk1vZGVNZXRyaWNzEhoKEnNvbHZlX3RpbWVfbWVhbl91cxgKIAEoARIZChFzb2x2ZV90aW1lX3N0ZF91cxgLIAEoARIZChFzb2x2ZV90aW1lX3A5NV91cxgMIAEoARIZChFzb2x2ZV90aW1lX21heF91cxgNIAEoARIVCg1maW5hbF9yYW5nZV9tGA4gASgBEhwKFGluY3JlbWVudF92aW9sYXRpb25zGA8gASgNEh4KFmRlbWFuZF9zdGVwX3Zpb2xhdGlvbnMYECABKA0SGQoRcmVzaWR1YWxfcm1zX3RydWUYESABKAESFgoObWlzc2luZ19jeWNsZXMYEiABKA0SFAoMc29sdmVkX3JhdGlvGBMgASgBIlgKDVN0cmVhbU1lc3NhZ2USDQoFdG9waWMYASABKAkSDgoGc2NoZW1hGAIgASgJEg8KB3BheWxvYWQYAyABKAwSFwoPcmVjZWl2ZV90aW1lX25zGAQgASgEIl4KC1N0cmVhbUZyYW1lEhYKDnNlcnZlcl90aW1lX25zGAEgASgEEikKCG1lc3NhZ2VzGAIgAygLMhcuYnVtcGxlc3MuU3RyZWFtTWVzc2FnZRIMCgRwYXN0GAMgASgIIsUCCgxTZXJ2ZXJTdGF0dXMSDwoHdGltZV9ucxgBIAEoBBISCgp2ZWhpY2xlX2lkGAIgASgJEiEKBGxpbmsYAyABKA4yEy5idW1wbGVzcy5MaW5rU3RhdGUSFwoPdGVsZW1ldHJ5X2FnZV9zGAQgASgBEhEKCXJlY29yZGluZxgFIAEoCBIYChByZWNvcmRpbmdfcnVuX2lkGAYgASgJEhYKDnJlY29yZGVkX2J5dGVzGAcgASgEEhgKEHJlY29yZGVyX2Ryb3BwZWQYCCABKAQSFQoNbm9kZV9yZXN0YXJ0cxgJIAEoDRIWCg5zdHJlYW1fY2xpZW50cxgKIAEoDRIWCg5zZXJ2ZXJfdmVyc2lvbhgLIAEoCRIUCgxub2RlX21hbmFnZWQYDCABKAgSGAoQcmVjb3JkZXJfdHJvdWJsZRgNIAEoCSpQCgRNb2RlEhQKEE1PREVfVU5TUEVDSUZJRUQQABIQCgxNT0RFX0ZPUldBUkQQARIQCgxNT0RFX1JFVkVSU0UQAhIOCgpNT0RFX0hPVkVSEAMqsgEKDE1pc3Npb25QaGFzZRIdChlNSVNTSU9OX1BIQVNFX1VOU1BFQ0lGSUVEEAASFgoSTUlTU0lPTl9QSEFTRV9JRExFEAESGQoVTUlTU0lPTl9QSEFTRV9SVU5OSU5HEAISGAoUTUlTU0lPTl9QSEFTRV9QQVVTRUQQAxIbChdNSVNTSU9OX1BIQVNFX0NPTVBMRVRFRBAEEhkKFU1JU1NJT05fUEhBU0VfQUJPUlRFRBAFKrUBCgtTb2x2ZVN0YXR1cxIcChhTT0xWRV9TVEFUVVNfVU5TUEVDSUZJRUQQABIXChNTT0xWRV9TVEFUVVNfU09MVkVEEAESHQoZU09MVkVfU1RBVFVTX0JVREdFVF9TUEVOVBACEhsKF1NPTFZFX1NUQVRVU19JTkZFQVNJQkxFEAMSGQoVU09MVkVfU1RBVFVTX0ZBTExCQUNLEAQSGAoUU09MVkVfU1RBVFVTX1JFRlVTRUQQBSphCghTZXZlcml0eRIYChRTRVZFUklUWV9VTlNQRUNJRklFRBAAEhEKDVNFVkVSSVRZX0lORk8QARIUChBTRVZFUklUWV9XQVJOSU5HEAISEgoOU0VWRVJJVFlfQUxBUk0QAyp/CglMaW5rU3RhdGUSGgoWTElOS19TVEFURV9VTlNQRUNJRklFRBAAEhYKEkxJTktfU1RBVEVfV0FJVElORxABEhMKD0xJTktfU1RBVEVfTElWRRACEhQKEExJTktfU1RBVEVfU1RBTEUQAxITCg9MSU5LX1NUQVRFX0xPU1QQBGIGcHJvdG8z");
+  fileDesc("Cg5idW1wbGVzcy5wcm90bxIIYnVtcGxlc3MiKgoHVmVjdG9yMxIJCgF4GAEgASgBEgkKAXkYAiABKAESCQoBehgDIAEoASJACghBdHRpdHVkZRIQCghyb2xsX2RlZxgBIAEoARIRCglwaXRjaF9kZWcYAiABKAESDwoHeWF3X2RlZxgDIAEoASJZCgZXcmVuY2gSCwoDeF9uGAEgASgBEgsKA3lfbhgCIAEoARILCgN6X24YAyABKAESDAoEa19ubRgEIAEoARIMCgRtX25tGAUgASgBEgwKBG5fbm0YBiABKAEiPwoFU3RhbXASDwoHdGltZV9ucxgBIAEoBBIWCg5taXNzaW9uX3RpbWVfcxgCIAEoARINCgVjeWNsZRgDIAEoBCKAAwoKTmF2aWdhdGlvbhIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEikKDnBvc2l0aW9uX25lZF9tGAIgASgLMhEuYnVtcGxlc3MuVmVjdG9yMxIkCghhdHRpdHVkZRgDIAEoCzISLmJ1bXBsZXNzLkF0dGl0dWRlEiwKEXZlbG9jaXR5X2JvZHlfbXBzGAQgASgLMhEuYnVtcGxlc3MuVmVjdG9yMxI6Ch92ZWxvY2l0eV90aHJvdWdoX3dhdGVyX2JvZHlfbXBzGAUgASgLMhEuYnVtcGxlc3MuVmVjdG9yMxIyChdhbmd1bGFyX3JhdGVfYm9keV9kZWdwcxgGIAEoCzIRLmJ1bXBsZXNzLlZlY3RvcjMSDwoHZGVwdGhfbRgHIAEoARIdChVzcGVlZF9vdmVyX2dyb3VuZF9tcHMYCCABKAESMwoYY3VycmVudF9lc3RpbWF0ZV9uZWRfbXBzGAkgASgLMhEuYnVtcGxlc3MuVmVjdG9yMyKUAgoIR3VpZGFuY2USHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIhChlzdXJnZV9zcGVlZF9yZWZlcmVuY2VfbXBzGAIgASgBEhkKEWRlcHRoX3JlZmVyZW5jZV9tGAMgASgBEi4KEmF0dGl0dWRlX3JlZmVyZW5jZRgEIAEoCzISLmJ1bXBsZXNzLkF0dGl0dWRlEhsKE2Nyb3NzX3RyYWNrX2Vycm9yX20YBSABKAESGwoTYWxvbmdfdHJhY2tfZXJyb3JfbRgGIAEoARILCgNsZWcYByABKA0SEQoJbGVnX2NvdW50GAggASgNEiAKGHN3YXlfc3BlZWRfcmVmZXJlbmNlX21wcxgJIAEoASKXAwoKU3VwZXJ2aXNvchIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEhwKBG1vZGUYAiABKA4yDi5idW1wbGVzcy5Nb2RlEiUKDXByZXZpb3VzX21vZGUYAyABKA4yDi5idW1wbGVzcy5Nb2RlEg8KB3JhbmdlX20YBCABKAESFQoNZGV0ZWN0aW9uX3JhdxgFIAEoCBIRCglkZXRlY3Rpb24YBiABKAgSDQoFa2FwcGEYByABKAESFgoOdGltZV9pbl9tb2RlX3MYCCABKAESGQoRZHdlbGxfcmVtYWluaW5nX3MYCSABKAESGAoQcmFuZ2VfcmhfbG93ZXJfbRgKIAEoARIYChByYW5nZV9yaF91cHBlcl9tGAsgASgBEhgKEHJhbmdlX2ZyX2xvd2VyX20YDCABKAESGAoQcmFuZ2VfZnJfdXBwZXJfbRgNIAEoARIYChByYW5nZV9oZl91cHBlcl9tGA4gASgBEiUKBXBoYXNlGA8gASgOMhYuYnVtcGxlc3MuTWlzc2lvblBoYXNlIt8BCgdDb250cm9sEh4KBXN0YW1wGAEgASgLMg8uYnVtcGxlc3MuU3RhbXASIgoIZGVtYW5kZWQYAiABKAsyEC5idW1wbGVzcy5XcmVuY2gSJgoMZGVtYW5kZWRfcmF3GAMgASgLMhAuYnVtcGxlc3MuV3JlbmNoEiIKCGFjaGlldmVkGAQgASgLMhAuYnVtcGxlc3MuV3JlbmNoEiIKCHJlc2lkdWFsGAUgASgLMhAuYnVtcGxlc3MuV3JlbmNoEiAKBmZyb3plbhgGIAEoCzIQLmJ1bXBsZXNzLldyZW5jaCL6AQoKQWxsb2NhdGlvbhIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEiUKBnN0YXR1cxgCIAEoDjIVLmJ1bXBsZXNzLlNvbHZlU3RhdHVzEhYKDnNxcF9pdGVyYXRpb25zGAMgASgNEhQKDGtrdF9yZXNpZHVhbBgEIAEoARIVCg1yZXNpZHVhbF9ub3JtGAUgASgBEgwKBGNvc3QYBiABKAESFQoNc29sdmVfdGltZV91cxgHIAEoARIXCg9zYXR1cmF0ZWRfY291bnQYCCABKA0SDgoGc29sdmVyGAkgASgJEhIKCnNsYWNrX25vcm0YCiABKAEisQIKCEFjdHVhdG9yEgwKBG5hbWUYASABKAkSDAoEdW5pdBgCIAEoCRIPCgdjb21tYW5kGAMgASgBEhAKCGZlZWRiYWNrGAQgASgBEg0KBWxvd2VyGAUgASgBEg0KBXVwcGVyGAYgASgBEhcKD2FtcGxpdHVkZV9sb3dlchgHIAEoARIXCg9hbXBsaXR1ZGVfdXBwZXIYCCABKAESEQoJc2F0dXJhdGVkGAkgASgIEhQKDHJhdGVfbGltaXRlZBgKIAEoCBIXCg9pbmNyZW1lbnRfYm91bmQYCyABKAESGgoNZWZmZWN0aXZlbmVzcxgMIAEoAUgAiAEBEhYKDmZhdWx0X2V2aWRlbmNlGA0gASgBEg4KBmZhdWx0eRgOIAEoCEIQCg5fZWZmZWN0aXZlbmVzcyJSCglBY3R1YXRvcnMSHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIlCglhY3R1YXRvcnMYAiADKAsyEi5idW1wbGVzcy5BY3R1YXRvciL0AQoGVGFyZ2V0Eh4KBXN0YW1wGAEgASgLMg8uYnVtcGxlc3MuU3RhbXASEAoIZGV0ZWN0ZWQYAiABKAgSGAoQbWVhc3VyZWRfcmFuZ2VfbRgDIAEoARITCgtiZWFyaW5nX2RlZxgEIAEoARIVCg1lbGV2YXRpb25fZGVnGAUgASgBEikKDnBvc2l0aW9uX25lZF9tGAYgASgLMhEuYnVtcGxlc3MuVmVjdG9yMxITCgtoZWFkaW5nX2RlZxgHIAEoARIyChdvYnNlcnZhdGlvbl9wb2ludF9uZWRfbRgIIAEoCzIRLmJ1bXBsZXNzLlZlY3RvcjMi3QEKDU1pc3Npb25TdGF0dXMSHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIlCgVwaGFzZRgCIAEoDjIWLmJ1bXBsZXNzLk1pc3Npb25QaGFzZRIOCgZydW5faWQYAyABKAkSFAoMbWlzc2lvbl9uYW1lGAQgASgJEhYKDm1pc3Npb25fc2hhMjU2GAUgASgJEhIKCmR1cmF0aW9uX3MYBiABKAESEQoJZWxhcHNlZF9zGAcgASgBEgwKBHNlZWQYCCABKA0SEgoKZW5kX3JlYXNvbhgJIAEoCSKGAQoEUGxhbhIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEhEKCWZpbGVfbmFtZRgCIAEoCRIUCgxtaXNzaW9uX3lhbWwYAyABKAkSDgoGc2hhMjU2GAQgASgJEiUKCnBhdGhfbmVkX20YBSADKAsyES5idW1wbGVzcy5WZWN0b3IzIl0KDk1vZGVQYXJhbWV0ZXJzEhIKCnFfZGlhZ29uYWwYASADKAESEgoKcl9kaWFnb25hbBgCIAMoARIOCgZsYW1iZGEYAyABKAESEwoLcmFtcF9jeWNsZXMYBCABKA0i/wEKFFN1cGVydmlzb3JQYXJhbWV0ZXJzEhgKEHJhbmdlX3JoX2xvd2VyX20YASABKAESGAoQcmFuZ2VfcmhfdXBwZXJfbRgCIAEoARIYChByYW5nZV9mcl9sb3dlcl9tGAMgASgBEhgKEHJhbmdlX2ZyX3VwcGVyX20YBCABKAESGAoQcmFuZ2VfaGZfdXBwZXJfbRgFIAEoARIUCgxkd2VsbF9jeWNsZXMYBiABKA0SFgoOZGV0ZWN0aW9uX2hpdHMYByABKA0SGAoQZGV0ZWN0aW9uX3dpbmRvdxgIIAEoDRIdChVkZXRlY3Rpb25faG9sZF9jeWNsZXMYCSABKA0iXwoSQnVtcGxlc3NQYXJhbWV0ZXJzEgwKBHJhbXAYASABKAgSHAoUaW50ZWdyYXRvcl9hbGlnbm1lbnQYAiABKAgSHQoVd2FybV9zdGFydF9wcm9qZWN0aW9uGAMgASgIIu8BCgpQYXJhbWV0ZXJzEikKB2ZvcndhcmQYASABKAsyGC5idW1wbGVzcy5Nb2RlUGFyYW1ldGVycxIpCgdyZXZlcnNlGAIgASgLMhguYnVtcGxlc3MuTW9kZVBhcmFtZXRlcnMSJwoFaG92ZXIYAyABKAsyGC5idW1wbGVzcy5Nb2RlUGFyYW1ldGVycxIyCgpzdXBlcnZpc29yGAQgASgLMh4uYnVtcGxlc3MuU3VwZXJ2aXNvclBhcmFtZXRlcnMSLgoIYnVtcGxlc3MYBSABKAsyHC5idW1wbGVzcy5CdW1wbGVzc1BhcmFtZXRlcnMiuwEKEFBhcmFtZXRlcnNTdGF0dXMSHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIkCgZhY3RpdmUYAiABKAsyFC5idW1wbGVzcy5QYXJhbWV0ZXJzEhAKCHJldmlzaW9uGAMgASgEEg4KBnNoYTI1NhgEIAEoCRImCghkZWZhdWx0cxgFIAEoCzIULmJ1bXBsZXNzLlBhcmFtZXRlcnMSFwoPcGFyYW1ldGVyc19qc29uGAYgASgJIuQBChJWZWhpY2xlRGVzY3JpcHRpb24SHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBISCgp2ZWhpY2xlX2lkGAIgASgJEhQKDHZlaGljbGVfbmFtZRgDIAEoCRIUCgx2ZWhpY2xlX3RvbWwYBCABKAkSDgoGc2hhMjU2GAUgASgJEhgKEHNvZnR3YXJlX3ZlcnNpb24YBiABKAkSGAoQY29udHJvbF9wZXJpb2RfcxgHIAEoARIWCg5hY3R1YXRvcl9uYW1lcxgIIAMoCRISCgpzZXNzaW9uX2lkGAkgASgJIowCCgZIZWFsdGgSHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIOCgZjeWNsZXMYAiABKAQSFQoNbWlzc2VkX2N5Y2xlcxgDIAEoBBIXCg9sYXRlbmVzc19wOTlfbXMYBCABKAESFwoPbGF0ZW5lc3NfbWF4X21zGAUgASgBEhkKEWN5Y2xlX3RpbWVfcDUwX3VzGAYgASgBEhkKEWN5Y2xlX3RpbWVfcDk5X3VzGAcgASgBEhYKDnJlc2lkZW50X2J5dGVzGAggASgEEhIKCnByb2Nlc3NfaWQYCSABKA0SEQoJaG9zdF9uYW1lGAogASgJEhQKDGRyb3BwZWRfcm93cxgLIAEoBCLIAQoFRXZlbnQSHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIkCghzZXZlcml0eRgCIAEoDjISLmJ1bXBsZXNzLlNldmVyaXR5EgwKBGNvZGUYAyABKAkSDAoEdGV4dBgEIAEoCRItCgdkZXRhaWxzGAUgAygLMhwuYnVtcGxlc3MuRXZlbnQuRGV0YWlsc0VudHJ5Gi4KDERldGFpbHNFbnRyeRILCgNrZXkYASABKAkSDQoFdmFsdWUYAiABKAk6AjgBIv8CCgpUcnV0aFN0YXRlEh4KBXN0YW1wGAEgASgLMg8uYnVtcGxlc3MuU3RhbXASKQoOcG9zaXRpb25fbmVkX20YAiABKAsyES5idW1wbGVzcy5WZWN0b3IzEiQKCGF0dGl0dWRlGAMgASgLMhIuYnVtcGxlc3MuQXR0aXR1ZGUSLAoRdmVsb2NpdHlfYm9keV9tcHMYBCABKAsyES5idW1wbGVzcy5WZWN0b3IzEjIKF2FuZ3VsYXJfcmF0ZV9ib2R5X2RlZ3BzGAUgASgLMhEuYnVtcGxlc3MuVmVjdG9yMxIpCg9hY3R1YXRvcl93cmVuY2gYBiABKAsyEC5idW1wbGVzcy5XcmVuY2gSKgoPY3VycmVudF9uZWRfbXBzGAcgASgLMhEuYnVtcGxlc3MuVmVjdG9yMxIVCg1lZmZlY3RpdmVuZXNzGAggAygBEjAKFXRhcmdldF9wb3NpdGlvbl9uZWRfbRgJIAEoCzIRLmJ1bXBsZXNzLlZlY3RvcjMiZQoMU3RhcnRNaXNzaW9uEhEKCWZpbGVfbmFtZRgBIAEoCRIUCgxtaXNzaW9uX3lhbWwYAiABKAkSEQoEc2VlZBgDIAEoDUgAiAEBEhAKCG9wZXJhdG9yGAQgASgJQgcKBV9zZWVkIgcKBUVtcHR5IncKDENvbW1hbmRSZXBseRIQCghhY2NlcHRlZBgBIAEoCBIOCgZyZWFzb24YAiABKAkSIwoIcHJvYmxlbXMYAyADKAsyES5idW1wbGVzcy5Qcm9ibGVtEg4KBnJ1bl9pZBgEIAEoCRIQCghyZXZpc2lvbhgFIAEoBCJhCgdQcm9ibGVtEgwKBGZpbGUYASABKAkSDAoEbGluZRgCIAEoDRIOCgZjb2x1bW4YAyABKA0SDQoFZmllbGQYBCABKAkSDQoFdmFsdWUYBSABKAkSDAoEcnVsZRgGIAEoCSLgAgoNU3dpdGNoTWV0cmljcxIhCglmcm9tX21vZGUYASABKA4yDi5idW1wbGVzcy5Nb2RlEh8KB3RvX21vZGUYAiABKA4yDi5idW1wbGVzcy5Nb2RlEg4KBnRpbWVfcxgDIAEoARIfChdjb21tYW5kX3N0ZXBfbm9ybWFsaXNlZBgEIAEoARIYChBjb21tYW5kX3N0ZXBfcmF3GAUgASgBEhUKDWFjdHVhdG9yX3N0ZXAYBiADKAESEgoKc2V0dGxpbmdfcxgHIAEoARIdChVjb21tYW5kX3N0ZXBfc2V0dGxpbmcYCCABKAESFAoMZm9yY2Vfc3RlcF9uGAkgASgBEhYKDm1vbWVudF9zdGVwX25tGAogASgBEh4KFmFjY2VsZXJhdGlvbl9zdGVwX21wczIYCyABKAESKAogYW5ndWxhcl9hY2NlbGVyYXRpb25fc3RlcF9kZWdwczIYDCABKAEi/wMKC01vZGVNZXRyaWNzEhwKBG1vZGUYASABKA4yDi5idW1wbGVzcy5Nb2RlEhIKCmR1cmF0aW9uX3MYAiABKAESDwoHc2FtcGxlcxgDIAEoDRITCgtkZXB0aF9ybXNfbRgEIAEoARIcChRkZXB0aF9wZWFrX3RvX3BlYWtfbRgFIAEoARIUCgxyb2xsX3Jtc19kZWcYBiABKAESFQoNcGl0Y2hfcm1zX2RlZxgHIAEoARITCgt5YXdfcm1zX2RlZxgIIAEoARIcChRzdXJnZV9zcGVlZF9tZWFuX21wcxgJIAEoARIUCgxhY3R1YXRvcl9ybXMYCiADKAESFAoMcmVzaWR1YWxfcm1zGAsgASgBEhkKEWRlcHRoX2Vycm9yX3Jtc19tGAwgASgBEhkKEWRlcHRoX2Vycm9yX21heF9tGA0gASgBEh8KF2Nyb3NzX3RyYWNrX2Vycm9yX3Jtc19tGA4gASgBEh8KF2Nyb3NzX3RyYWNrX2Vycm9yX21heF9tGA8gASgBEh0KFWhlYWRpbmdfZXJyb3Jfcm1zX2RlZxgQIAEoARIdChVoZWFkaW5nX2Vycm9yX21heF9kZWcYESABKAESGwoTc3BlZWRfZXJyb3Jfcm1zX21wcxgSIAEoARIbChNzcGVlZF9lcnJvcl9tYXhfbXBzGBMgASgBIm4KCUVuZEVycm9ycxISCgpwb3NpdGlvbl9tGAEgASgBEhQKDGhvcml6b250YWxfbRgCIAEoARIPCgdkZXB0aF9tGAMgASgBEhMKC2hlYWRpbmdfZGVnGAQgASgBEhEKCXNwZWVkX21wcxgFIAEoASKFAgoHT3V0Y29tZRIgCgZlbmRpbmcYASABKA4yEC5idW1wbGVzcy5FbmRpbmcSDgoGcmVhc29uGAIgASgJEg0KBWJhc2lzGAMgASgJEhwKBG1vZGUYBCABKA4yDi5idW1wbGVzcy5Nb2RlEg4KBmhlbGRfcxgFIAEoARIRCgljbG9zZXN0X20YBiABKAESEQoJY2xvc2VzdF9zGAcgASgBEigKC3RydWVfZXJyb3JzGAggASgLMhMuYnVtcGxlc3MuRW5kRXJyb3JzEiwKD2JlbGlldmVkX2Vycm9ycxgJIAEoCzITLmJ1bXBsZXNzLkVuZEVycm9ycxINCgV0cmllcxgKIAEoDSKIBQoHTWV0cmljcxIOCgZydW5faWQYASABKAkSEgoKZHVyYXRpb25fcxgCIAEoARIOCgZjeWNsZXMYAyABKA0SFAoMcmVzaWR1YWxfcm1zGAQgASgBEhgKEHNhdHVyYXRpb25fcmF0aW8YBSABKAESDgoGZF91X2ZyGAYgASgBEg4KBmRfdV9yaBgHIAEoARIpCghzd2l0Y2hlcxgIIAMoCzIXLmJ1bXBsZXNzLlN3aXRjaE1ldHJpY3MSJAoFbW9kZXMYCSADKAsyFS5idW1wbGVzcy5Nb2RlTWV0cmljcxIaChJzb2x2ZV90aW1lX21lYW5fdXMYCiABKAESGQoRc29sdmVfdGltZV9zdGRfdXMYCyABKAESGQoRc29sdmVfdGltZV9wOTVfdXMYDCABKAESGQoRc29sdmVfdGltZV9tYXhfdXMYDSABKAESFQoNZmluYWxfcmFuZ2VfbRgOIAEoARIcChRpbmNyZW1lbnRfdmlvbGF0aW9ucxgPIAEoDRIeChZkZW1hbmRfc3RlcF92aW9sYXRpb25zGBAgASgNEhkKEXJlc2lkdWFsX3Jtc190cnVlGBEgASgBEhYKDm1pc3NpbmdfY3ljbGVzGBIgASgNEhQKDHNvbHZlZF9yYXRpbxgTIAEoARIiCgdvdXRjb21lGBQgASgLMhEuYnVtcGxlc3MuT3V0Y29tZRIXCg9kX3VfZnJfc2V0dGxpbmcYFSABKAESFwoPZF91X3JoX3NldHRsaW5nGBYgASgBEhYKDnNoYWZ0X2VuZXJneV9qGBcgASgBEhYKDmZpbl90cmF2ZWxfZGVnGBggASgBEhcKD3NjcmV3X3JldmVyc2FscxgZIAEoDSJYCg1TdHJlYW1NZXNzYWdlEg0KBXRvcGljGAEgASgJEg4KBnNjaGVtYRgCIAEoCRIPCgdwYXlsb2FkGAMgASgMEhcKD3JlY2VpdmVfdGltZV9ucxgEIAEoBCJeCgtTdHJlYW1GcmFtZRIWCg5zZXJ2ZXJfdGltZV9ucxgBIAEoBBIpCghtZXNzYWdlcxgCIAMoCzIXLmJ1bXBsZXNzLlN0cmVhbU1lc3NhZ2USDAoEcGFzdBgDIAEoCCLFAgoMU2VydmVyU3RhdHVzEg8KB3RpbWVfbnMYASABKAQSEgoKdmVoaWNsZV9pZBgCIAEoCRIhCgRsaW5rGAMgASgOMhMuYnVtcGxlc3MuTGlua1N0YXRlEhcKD3RlbGVtZXRyeV9hZ2VfcxgEIAEoARIRCglyZWNvcmRpbmcYBSABKAgSGAoQcmVjb3JkaW5nX3J1bl9pZBgGIAEoCRIWCg5yZWNvcmRlZF9ieXRlcxgHIAEoBBIYChByZWNvcmRlcl9kcm9wcGVkGAggASgEEhUKDW5vZGVfcmVzdGFydHMYCSABKA0SFgoOc3RyZWFtX2NsaWVudHMYCiABKA0SFgoOc2VydmVyX3ZlcnNpb24YCyABKAkSFAoMbm9kZV9tYW5hZ2VkGAwgASgIEhgKEHJlY29yZGVyX3Ryb3VibGUYDSABKAkqUAoETW9kZRIUChBNT0RFX1VOU1BFQ0lGSUVEEAASEAoMTU9ERV9GT1JXQVJEEAESEAoMTU9ERV9SRVZFUlNFEAISDgoKTU9ERV9IT1ZFUhADKrIBCgxNaXNzaW9uUGhhc2USHQoZTUlTU0lPTl9QSEFTRV9VTlNQRUNJRklFRBAAEhYKEk1JU1NJT05fUEhBU0VfSURMRRABEhkKFU1JU1NJT05fUEhBU0VfUlVOTklORxACEhgKFE1JU1NJT05fUEhBU0VfUEFVU0VEEAMSGwoXTUlTU0lPTl9QSEFTRV9DT01QTEVURUQQBBIZChVNSVNTSU9OX1BIQVNFX0FCT1JURUQQBSq1AQoLU29sdmVTdGF0dXMSHAoYU09MVkVfU1RBVFVTX1VOU1BFQ0lGSUVEEAASFwoTU09MVkVfU1RBVFVTX1NPTFZFRBABEh0KGVNPTFZFX1NUQVRVU19CVURHRVRfU1BFTlQQAhIbChdTT0xWRV9TVEFUVVNfSU5GRUFTSUJMRRADEhkKFVNPTFZFX1NUQVRVU19GQUxMQkFDSxAEEhgKFFNPTFZFX1NUQVRVU19SRUZVU0VEEAUqYQoIU2V2ZXJpdHkSGAoUU0VWRVJJVFlfVU5TUEVDSUZJRUQQABIRCg1TRVZFUklUWV9JTkZPEAESFAoQU0VWRVJJVFlfV0FSTklORxACEhIKDlNFVkVSSVRZX0FMQVJNEAMqsQEKBkVuZGluZxIWChJFTkRJTkdfVU5TUEVDSUZJRUQQABIRCg1FTkRJTkdfRE9DS0VEEAESDwoLRU5ESU5HX0hFTEQQAhIUChBFTkRJTkdfV0FWRURfT0ZGEAMSFAoQRU5ESU5HX1RJTUVfT1ZFUhAEEhIKDkVORElOR19BQk9SVEVEEAUSEwoPRU5ESU5HX0NPTExJREVEEAYSFgoSRU5ESU5HX0lOVEVSUlVQVEVEEAcqfwoJTGlua1N0YXRlEhoKFkxJTktfU1RBVEVfVU5TUEVDSUZJRUQQABIWChJMSU5LX1NUQVRFX1dBSVRJTkcQARITCg9MSU5LX1NUQVRFX0xJVkUQAhIUChBMSU5LX1NUQVRFX1NUQUxFEAMSEwoPTElOS19TVEFURV9MT1NUEARiBnByb3RvMw");
 
 /**
  * @generated from message bumpless.Vector3
@@ -1435,6 +1435,46 @@ export type SwitchMetrics = Message<"bumpless.SwitchMetrics"> & {
    * @generated from field: repeated double actuator_step = 6;
    */
   actuatorStep: number[];
+
+  /**
+   * largest steps from the switch until 15 s after its ramp's end, or to the next switch
+   *
+   * how long that is
+   *
+   * @generated from field: double settling_s = 7;
+   */
+  settlingS: number;
+
+  /**
+   * max ||du||, commands over their bounds
+   *
+   * @generated from field: double command_step_settling = 8;
+   */
+  commandStepSettling: number;
+
+  /**
+   * of the plant's true wrench; NaN when not recorded
+   *
+   * @generated from field: double force_step_n = 9;
+   */
+  forceStepN: number;
+
+  /**
+   * @generated from field: double moment_step_nm = 10;
+   */
+  momentStepNm: number;
+
+  /**
+   * of the true body acceleration; NaN when not recorded
+   *
+   * @generated from field: double acceleration_step_mps2 = 11;
+   */
+  accelerationStepMps2: number;
+
+  /**
+   * @generated from field: double angular_acceleration_step_degps2 = 12;
+   */
+  angularAccelerationStepDegps2: number;
 };
 
 /**
@@ -1502,6 +1542,50 @@ export type ModeMetrics = Message<"bumpless.ModeMetrics"> & {
    * @generated from field: double residual_rms = 11;
    */
   residualRms: number;
+
+  /**
+   * tracking: believed state minus reference, RMS about zero and largest magnitude
+   *
+   * @generated from field: double depth_error_rms_m = 12;
+   */
+  depthErrorRmsM: number;
+
+  /**
+   * @generated from field: double depth_error_max_m = 13;
+   */
+  depthErrorMaxM: number;
+
+  /**
+   * @generated from field: double cross_track_error_rms_m = 14;
+   */
+  crossTrackErrorRmsM: number;
+
+  /**
+   * @generated from field: double cross_track_error_max_m = 15;
+   */
+  crossTrackErrorMaxM: number;
+
+  /**
+   * @generated from field: double heading_error_rms_deg = 16;
+   */
+  headingErrorRmsDeg: number;
+
+  /**
+   * @generated from field: double heading_error_max_deg = 17;
+   */
+  headingErrorMaxDeg: number;
+
+  /**
+   * surge over ground
+   *
+   * @generated from field: double speed_error_rms_mps = 18;
+   */
+  speedErrorRmsMps: number;
+
+  /**
+   * @generated from field: double speed_error_max_mps = 19;
+   */
+  speedErrorMaxMps: number;
 };
 
 /**
@@ -1510,6 +1594,133 @@ export type ModeMetrics = Message<"bumpless.ModeMetrics"> & {
  */
 export const ModeMetricsSchema: GenMessage<ModeMetrics> = /*@__PURE__*/
   messageDesc(file_bumpless, 28);
+
+/**
+ * Where the vehicle was against the observation point and the approach heading.
+ *
+ * @generated from message bumpless.EndErrors
+ */
+export type EndErrors = Message<"bumpless.EndErrors"> & {
+  /**
+   * 3-D distance
+   *
+   * @generated from field: double position_m = 1;
+   */
+  positionM: number;
+
+  /**
+   * its horizontal part
+   *
+   * @generated from field: double horizontal_m = 2;
+   */
+  horizontalM: number;
+
+  /**
+   * its vertical part, positive below
+   *
+   * @generated from field: double depth_m = 3;
+   */
+  depthM: number;
+
+  /**
+   * -180 to 180
+   *
+   * @generated from field: double heading_deg = 4;
+   */
+  headingDeg: number;
+
+  /**
+   * over ground, 3-D
+   *
+   * @generated from field: double speed_mps = 5;
+   */
+  speedMps: number;
+};
+
+/**
+ * Describes the message bumpless.EndErrors.
+ * Use `create(EndErrorsSchema)` to create a new message.
+ */
+export const EndErrorsSchema: GenMessage<EndErrors> = /*@__PURE__*/
+  messageDesc(file_bumpless, 29);
+
+/**
+ * @generated from message bumpless.Outcome
+ */
+export type Outcome = Message<"bumpless.Outcome"> & {
+  /**
+   * @generated from field: bumpless.Ending ending = 1;
+   */
+  ending: Ending;
+
+  /**
+   * one sentence
+   *
+   * @generated from field: string reason = 2;
+   */
+  reason: string;
+
+  /**
+   * "true" or "believed": what it was judged by
+   *
+   * @generated from field: string basis = 3;
+   */
+  basis: string;
+
+  /**
+   * of the last cycle
+   *
+   * @generated from field: bumpless.Mode mode = 4;
+   */
+  mode: Mode;
+
+  /**
+   * up to the end, all of docked's conditions were met for so long
+   *
+   * @generated from field: double held_s = 5;
+   */
+  heldS: number;
+
+  /**
+   * least distance of the hull's axis from the marker; NaN when none
+   *
+   * @generated from field: double closest_m = 6;
+   */
+  closestM: number;
+
+  /**
+   * mission time of that
+   *
+   * @generated from field: double closest_s = 7;
+   */
+  closestS: number;
+
+  /**
+   * at the end; absent when nobody knows the truth
+   *
+   * @generated from field: bumpless.EndErrors true_errors = 8;
+   */
+  trueErrors?: EndErrors | undefined;
+
+  /**
+   * @generated from field: bumpless.EndErrors believed_errors = 9;
+   */
+  believedErrors?: EndErrors | undefined;
+
+  /**
+   * approaches begun, where the vehicle counts them
+   *
+   * @generated from field: uint32 tries = 10;
+   */
+  tries: number;
+};
+
+/**
+ * Describes the message bumpless.Outcome.
+ * Use `create(OutcomeSchema)` to create a new message.
+ */
+export const OutcomeSchema: GenMessage<Outcome> = /*@__PURE__*/
+  messageDesc(file_bumpless, 30);
 
 /**
  * @generated from message bumpless.Metrics
@@ -1625,6 +1836,44 @@ export type Metrics = Message<"bumpless.Metrics"> & {
    * @generated from field: double solved_ratio = 19;
    */
   solvedRatio: number;
+
+  /**
+   * @generated from field: bumpless.Outcome outcome = 20;
+   */
+  outcome?: Outcome | undefined;
+
+  /**
+   * bound-normalised, from the switch until 15 s after its ramp
+   *
+   * @generated from field: double d_u_fr_settling = 21;
+   */
+  dUFrSettling: number;
+
+  /**
+   * @generated from field: double d_u_rh_settling = 22;
+   */
+  dURhSettling: number;
+
+  /**
+   * mechanical work of the screws by the vehicle's model
+   *
+   * @generated from field: double shaft_energy_j = 23;
+   */
+  shaftEnergyJ: number;
+
+  /**
+   * way of all fins together
+   *
+   * @generated from field: double fin_travel_deg = 24;
+   */
+  finTravelDeg: number;
+
+  /**
+   * changes of a screw's sense of rotation
+   *
+   * @generated from field: uint32 screw_reversals = 25;
+   */
+  screwReversals: number;
 };
 
 /**
@@ -1632,7 +1881,7 @@ export type Metrics = Message<"bumpless.Metrics"> & {
  * Use `create(MetricsSchema)` to create a new message.
  */
 export const MetricsSchema: GenMessage<Metrics> = /*@__PURE__*/
-  messageDesc(file_bumpless, 29);
+  messageDesc(file_bumpless, 31);
 
 /**
  * ---- server to browser --------------------------------------------------------------
@@ -1672,7 +1921,7 @@ export type StreamMessage = Message<"bumpless.StreamMessage"> & {
  * Use `create(StreamMessageSchema)` to create a new message.
  */
 export const StreamMessageSchema: GenMessage<StreamMessage> = /*@__PURE__*/
-  messageDesc(file_bumpless, 30);
+  messageDesc(file_bumpless, 32);
 
 /**
  * One binary WebSocket message: the newest of each topic since the last frame, all events.
@@ -1703,7 +1952,7 @@ export type StreamFrame = Message<"bumpless.StreamFrame"> & {
  * Use `create(StreamFrameSchema)` to create a new message.
  */
 export const StreamFrameSchema: GenMessage<StreamFrame> = /*@__PURE__*/
-  messageDesc(file_bumpless, 31);
+  messageDesc(file_bumpless, 33);
 
 /**
  * @generated from message bumpless.ServerStatus
@@ -1784,7 +2033,7 @@ export type ServerStatus = Message<"bumpless.ServerStatus"> & {
  * Use `create(ServerStatusSchema)` to create a new message.
  */
 export const ServerStatusSchema: GenMessage<ServerStatus> = /*@__PURE__*/
-  messageDesc(file_bumpless, 32);
+  messageDesc(file_bumpless, 34);
 
 /**
  * @generated from enum bumpless.Mode
@@ -1951,6 +2200,71 @@ export const SeveritySchema: GenEnum<Severity> = /*@__PURE__*/
   enumDesc(file_bumpless, 3);
 
 /**
+ * How a run ended.
+ *
+ * @generated from enum bumpless.Ending
+ */
+export enum Ending {
+  /**
+   * @generated from enum value: ENDING_UNSPECIFIED = 0;
+   */
+  UNSPECIFIED = 0,
+
+  /**
+   * in H within 0.15 m, 5 deg and 0.05 m/s of the observation point for the last 10 s
+   *
+   * @generated from enum value: ENDING_DOCKED = 1;
+   */
+  DOCKED = 1,
+
+  /**
+   * over in H, but not docked
+   *
+   * @generated from enum value: ENDING_HELD = 2;
+   */
+  HELD = 2,
+
+  /**
+   * the approach was given up for a safe place
+   *
+   * @generated from enum value: ENDING_WAVED_OFF = 3;
+   */
+  WAVED_OFF = 3,
+
+  /**
+   * over before hover was reached
+   *
+   * @generated from enum value: ENDING_TIME_OVER = 4;
+   */
+  TIME_OVER = 4,
+
+  /**
+   * @generated from enum value: ENDING_ABORTED = 5;
+   */
+  ABORTED = 5,
+
+  /**
+   * the hull was in the dock's keep-out disc
+   *
+   * @generated from enum value: ENDING_COLLIDED = 6;
+   */
+  COLLIDED = 6,
+
+  /**
+   * cut off, as far as anybody knows
+   *
+   * @generated from enum value: ENDING_INTERRUPTED = 7;
+   */
+  INTERRUPTED = 7,
+}
+
+/**
+ * Describes the enum bumpless.Ending.
+ */
+export const EndingSchema: GenEnum<Ending> = /*@__PURE__*/
+  enumDesc(file_bumpless, 4);
+
+/**
  * @generated from enum bumpless.LinkState
  */
 export enum LinkState {
@@ -1990,5 +2304,5 @@ export enum LinkState {
  * Describes the enum bumpless.LinkState.
  */
 export const LinkStateSchema: GenEnum<LinkState> = /*@__PURE__*/
-  enumDesc(file_bumpless, 4);
+  enumDesc(file_bumpless, 5);
 
