@@ -131,7 +131,7 @@ def test_the_judge_agrees_with_the_outcome_of_a_run(flight):
         judge = Judge(flight.mission, vehicle, RULE)
         ending = (judge.look(log) or judge.over(log)).outcome
         run = Columns.from_log(log, len(vehicle.commands))
-        assert ending == outcome_of(run, "completed", vehicle.control_period_s).ending
+        assert ending == outcome_of(run, vehicle, "completed").ending
         assert (ending == Ending.DOCKED) == (len(log) == decided.rows)
 
 

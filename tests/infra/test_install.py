@@ -146,6 +146,9 @@ def test_it_explains_itself_and_flies(installed: Installed) -> None:
         (("run", "short.yaml", "--out", "x.mcap"), "log"),
         (("metrics", "short.yaml"), "log"),
         (("repair", "short.yaml"), "log"),
+        (("campaign", "short.yaml"), "campaign"),
+        (("tune", "short.yaml"), "campaign"),
+        (("reproduce", "--only", "table6"), "paper"),
     ],
 )
 def test_what_is_missing_is_one_sentence(installed: Installed, command: tuple[str, ...], extra: str) -> None:
