@@ -2,13 +2,13 @@
 
 import argparse
 import json
-import math
 from collections import Counter
 from collections.abc import Iterable, Mapping
 from dataclasses import asdict
 from typing import Any
 
 from bumpless.campaign.engine import in_order
+from bumpless.campaign.summary import share_of
 from bumpless.config.parameters import default_parameters, with_overrides
 from bumpless.sim.twin import Result, simulate
 from bumpless_paper.study.docks.cases import KINDS, Case, Heading, Kind, draw_case, vehicle
@@ -42,15 +42,6 @@ def fly_cases(
     return in_order(jobs, _one, workers)
 
 
-def wilson(hits: int, count: int, z: float = 1.96) -> tuple[float, float]:
-    """Confidence interval of a share, 95 %. Source: Wilson 1927."""
-    if count == 0:
-        return 0.0, 1.0
-    p, n = hits / count, count
-    middle, spread = p + z * z / (2 * n), z * math.sqrt(p * (1 - p) / n + z * z / (4 * n * n))
-    return max(0.0, (middle - spread) / (1 + z * z / n)), min(1.0, (middle + spread) / (1 + z * z / n))
-
-
 def main() -> None:
     """Fly, count and print."""
     parser = argparse.ArgumentParser(description=__doc__)
@@ -63,8 +54,10 @@ def main() -> None:
     a = parser.parse_args()
     rows = fly_cases(range(a.first, a.first + a.count), a.kind, a.heading, workers=a.workers)
     counts = Counter(row.outcome for row in rows)
-    low, high = wilson(counts["docked"], len(rows))
-    print(f"{a.kind} {a.heading or 'drawn heading'}: {dict(counts)}; docked {low:.1%} to {high:.1%}")
+    docked = share_of(counts["docked"], len(rows))
+    print(
+        f"{a.kind} {a.heading or 'drawn heading'}: {dict(counts)}; docked {docked.low:.1%} to {docked.high:.1%}"
+    )
     for row in rows:
         if row.outcome not in ("docked", "waved_off"):
             print(row)
