@@ -91,7 +91,7 @@ def inside_dock(log: np.ndarray, heading: np.ndarray) -> np.ndarray:
     across = np.abs(-rel[..., 0] * s + rel[..., 1] * c)
     half = DOCK_HALF_M + HULL_RADIUS_M
     within = (along > 0.0) & (along < DOCK_LENGTH_M) & (across < half)
-    return (within & (np.abs(rel[..., 2]) < half)).any(axis=1)
+    return np.any(within & (np.abs(rel[..., 2]) < half), axis=1)
 
 
 def hull_points(eta: np.ndarray) -> np.ndarray:

@@ -37,7 +37,9 @@ def fly_cases(
     workers: int = 1,
 ) -> list[Judgement]:
     """Judgements of many cases, in order."""
-    jobs = [(number, kind, heading, overrides) for number in numbers]
+    jobs: list[tuple[int, Kind, Heading, Overrides | None]] = [
+        (number, kind, heading, overrides) for number in numbers
+    ]
     if workers <= 1:
         return [_one(job) for job in jobs]
     with multiprocessing.get_context("spawn").Pool(workers) as pool:
