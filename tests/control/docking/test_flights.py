@@ -50,7 +50,7 @@ def test_the_same_number_is_the_same_case() -> None:
 
 
 def test_a_hull_in_the_dock_is_seen() -> None:
-    """Protects: the judge itself: a nose past the marker's plane is in the dock, beside or above it is not."""
+    """Protects: the judge itself: a nose past the marker is in the dock, one beside or above is not."""
     log = np.zeros(4, LOG)
     log["eta"][:, 0] = (-0.9, -1.5, -0.9, -0.9)
     log["eta"][2, 1], log["eta"][3, 2] = 1.6, -1.3

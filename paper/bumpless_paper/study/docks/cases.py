@@ -78,7 +78,7 @@ def _dock(r: np.random.Generator, heading: Heading) -> tuple[Target, np.ndarray,
     free = heading or ("fixed", "some", "into")[int(r.integers(3))]
     tolerance = {"fixed": 0.0, "some": float(r.uniform(10.0, 60.0)), "into": 180.0}[free]
     marker = np.array([*r.uniform(-5.0, 5.0, 2), r.uniform(2.0, 6.0)])
-    offset = (*map(float, r.uniform(-0.5, 0.5, 2)), float(r.uniform(-0.25, 0.25)))
+    offset = _place(np.array([*r.uniform(-0.5, 0.5, 2), r.uniform(-0.25, 0.25)]))
     target = Target(_place(marker), toward, STANDOFF_M, offset, tolerance)
     psi = math.radians(toward)
     return target, marker - STANDOFF_M * np.array([math.cos(psi), math.sin(psi), 0.0]), psi
