@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-MADE = ("_pb2.py", "_pb2.pyi", "_pb.ts", ".lock", ".schema.json")
+MADE = ("_pb2.py", "_pb2.pyi", ".lock", ".schema.json")
 BESIDE = ("tests/", "docs/", "README.md", "CHANGELOG.md", "results/", "console_web/src/gen/")
 
 

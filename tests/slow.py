@@ -11,6 +11,7 @@ ROOT = Path(__file__).resolve().parents[1]
 BROWSER = {"browser", "chromium_path"}  # fixtures
 SLOW = (
     "tests/bench",
+    "tests/campaign/test_engine.py",
     "tests/console",
     "tests/paper",
     "tests/stability",
@@ -19,6 +20,7 @@ SLOW = (
     "tests/node/test_memory.py",
     "tests/node/test_stalled.py",
     "tests/node/test_three_processes.py",
+    "tests/server/cli/test_campaign.py",
     "tests/server/cli/test_serve.py",
     "tests/server/live/test_real_node.py",
     # tens of thousands of problems, and code compiled anew

@@ -28,6 +28,7 @@ class Place:
     name: str  # "" for a module
     meaning: str  # its docstring's first sentence
     equations: frozenset[int]
+    function: bool = False  # what computes it, not a module or a class
 
 
 def cited(docstring: str, paper_meant: bool = False) -> frozenset[int]:
@@ -62,7 +63,14 @@ def _in_file(path: Path) -> Iterator[Place]:
         if isinstance(node, ast.FunctionDef | ast.ClassDef):
             text = ast.get_docstring(node) or ""
             if equations := cited(text, paper_meant=PAPER in own):
-                yield Place(shown, node.lineno, node.name, _sentence(text), equations)
+                yield Place(
+                    shown,
+                    node.lineno,
+                    node.name,
+                    _sentence(text),
+                    equations,
+                    isinstance(node, ast.FunctionDef),
+                )
 
 
 def _sentence(docstring: str) -> str:
@@ -80,13 +88,18 @@ def _table(found: list[Place], first: int, last: int) -> str:
     wanted = set(range(first, last + 1))
     rows = [(sorted(place.equations & wanted), place) for place in found if place.equations & wanted]
     # the function that implements one equation comes before the module that names twenty
-    rows.sort(key=lambda row: (not row[1].name, row[0][0], len(row[1].equations), row[1].path, row[1].line))
+    rows.sort(key=_nearest_first)
     lines = ["| equation | where | what it does |\n", "| --- | --- | --- |\n"]
     for numbers, place in rows:
         module = place.path.removeprefix("twin/bumpless/")
         name = f"`{place.name}`, {module}:{place.line}" if place.name else module
         lines.append(f"| {_spans(numbers)} | [{name}](../{place.path}#L{place.line}) | {place.meaning} |\n")
     return "".join(lines)
+
+
+def _nearest_first(row: tuple[list[int], Place]) -> tuple[object, ...]:
+    numbers, place = row
+    return not place.name, not place.function, numbers[0], len(place.equations), place.path, place.line
 
 
 def _spans(numbers: list[int]) -> str:

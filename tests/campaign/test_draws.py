@@ -1,6 +1,7 @@
 """Draws by number."""
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -92,11 +93,16 @@ def test_start_and_faults_are_drawn():
 @pytest.mark.parametrize("name", ["docking", "docking_current", "s6_fault_tolerant", "tank1"])
 def test_mission_text_reads_back(name):
     """Protects: the log of a flight that is flown again carries exactly the mission that was flown."""
-    from dataclasses import replace
-
     mission = shipped_mission(name)
     again = parse_mission(mission_text(mission), mission.source)
     assert replace(again, text=mission.text) == mission
+
+
+@pytest.mark.parametrize("title", ["045", "1e5", "yes", "null", "0x1F", "~", "a: b", "S5 – Δ", ""])
+def test_titles_that_look_like_numbers_stay_titles(title):
+    """Protects: the text of a drawn mission says what was flown, whatever YAML would make of its words."""
+    mission = replace(shipped_mission("docking"), title=title)
+    assert parse_mission(mission_text(mission), "m.yaml").title == title
 
 
 def test_every_quantity_changes_a_flight(campaign: Callable[..., Prepared], ts100):

@@ -8,7 +8,9 @@ from bumpless.campaign.geometry import nose_x
 from bumpless.campaign.outcome import Judge
 from bumpless.campaign.tracking import cost, shaft_energy, tracking
 from bumpless.config.mission import shipped_mission
+from bumpless.config.vehicle import load_vehicle
 from bumpless.contract.enums import HOVER, REVERSE, RUNNING
+from bumpless.metrics import Columns, Ending, outcome_of
 from bumpless.sim.twin import new_log
 
 MISSION = shipped_mission("docking")
@@ -119,3 +121,27 @@ def test_energy_is_shaft_work(hovering, ts100):
     log["u_feedback"][:, screw] = 10.0
     torque = 1000.0 * maker.diameter_m**5 * maker.torque_coefficient * 100.0
     assert shaft_energy(log, ts100) == pytest.approx(2.0 * np.pi * 10.0 * torque * 10.0)
+
+
+def test_the_judge_agrees_with_the_outcome_of_a_run(flight):
+    """Protects: a campaign counts as docked what every run's own outcome calls so, from the same cycle on."""
+    vehicle, decided = flight.vehicle, Judge(flight.mission, flight.vehicle, RULE).look(flight.log)
+    assert decided is not None and decided.outcome == Ending.DOCKED
+    for log in (flight.log[: decided.rows], flight.log[: decided.rows - 1], flight.log[:400]):
+        judge = Judge(flight.mission, vehicle, RULE)
+        ending = (judge.look(log) or judge.over(log)).outcome
+        run = Columns.from_log(log, len(vehicle.commands))
+        assert ending == outcome_of(run, "completed", vehicle.control_period_s).ending
+        assert (ending == Ending.DOCKED) == (len(log) == decided.rows)
+
+
+def test_energy_of_a_pod_counts_the_flow_along_its_thrust(hovering):
+    """Protects: a pod turned by a quarter meets none of the flow from ahead, one that is not meets all."""
+    pods = load_vehicle("twinpod")
+    log = hovering(200)
+    log["u_feedback"][:, 0] = 10.0
+    still = shaft_energy(log, pods)
+    log["nu_r_hat"][:, 0] = 0.5
+    assert shaft_energy(log, pods) < 0.9 * still
+    log["u_feedback"][:, 1] = np.pi / 2.0
+    assert shaft_energy(log, pods) == pytest.approx(still)

@@ -36,6 +36,11 @@ def metrics() -> pb.Metrics:
                 time_s=24.05,
                 command_step_normalised=0.0456,
                 command_step_raw=9.1,
+                settling_s=19.0,
+                command_step_settling=0.0767,
+                force_step_n=0.144,
+                moment_step_nm=0.008,
+                angular_acceleration_step_degps2=0.82,
             ),
             pb.SwitchMetrics(
                 from_mode=pb.MODE_REVERSE,
@@ -56,6 +61,10 @@ def metrics() -> pb.Metrics:
                 yaw_rms_deg=1.1,
                 surge_speed_mean_mps=speed,
                 residual_rms=0.1,
+                depth_error_rms_m=0.187,
+                depth_error_max_m=0.31,
+                heading_error_rms_deg=1.2,
+                heading_error_max_deg=3.4,
             )
             for mode, speed in ((pb.MODE_FORWARD, 0.7), (pb.MODE_REVERSE, 0.3), (pb.MODE_HOVER, 0.0))
         ],
@@ -64,6 +73,25 @@ def metrics() -> pb.Metrics:
         solve_time_p95_us=21.0,
         solve_time_max_us=112.0,
         final_range_m=0.21,
+        d_u_fr_settling=0.0767,
+        d_u_rh_settling=0.0405,
+        shaft_energy_j=16.6,
+        fin_travel_deg=56.9,
+        screw_reversals=15,
+        outcome=pb.Outcome(
+            ending=pb.ENDING_HELD,
+            reason="in hover, truly 0.21 m from the observation point.",
+            basis="true",
+            mode=pb.MODE_HOVER,
+            closest_m=0.532,
+            closest_s=89.9,
+            true_errors=pb.EndErrors(
+                position_m=0.213, horizontal_m=0.21, depth_m=-0.04, heading_deg=9.41, speed_mps=0.022
+            ),
+            believed_errors=pb.EndErrors(
+                position_m=0.205, horizontal_m=0.2, depth_m=-0.045, heading_deg=9.3, speed_mps=0.02
+            ),
+        ),
         solved_ratio=0.998,
     )
 
@@ -113,7 +141,7 @@ def default_replies(server: ContractServer) -> None:
     calm = {"name": "calm-sea", "modified": "2026-01-01T00:00:00Z", "parameters": as_json(gentle)}
     server.reply("GET", "presets", [calm])
     server.reply("GET", "presets/calm-sea", calm)
-    server.reply("GET", "runs", [run(OLD_RUN_ID, "docking_current", "complete", "duration reached")])
+    server.reply("GET", "runs", [run(OLD_RUN_ID, "docking_current", "complete", "duration reached", "held")])
     server.reply("GET", f"runs/{OLD_RUN_ID}/metrics", as_json(metrics()))
     server.reply("GET", f"runs/{OLD_RUN_ID}/log.mcap", b"\x89MCAP0\r\n")
     server.reply("POST", "scene/camera", {"view": "top", "viewers": 1})
@@ -133,7 +161,7 @@ def vehicle(vehicle_id: str, name: str, controllable: list[str]) -> dict[str, An
     }
 
 
-def run(run_id: str, name: str, state: str, end_reason: str) -> dict[str, Any]:
+def run(run_id: str, name: str, state: str, end_reason: str, outcome: str | None = None) -> dict[str, Any]:
     """One entry of the list of runs."""
     return {
         "id": run_id,
@@ -149,6 +177,8 @@ def run(run_id: str, name: str, state: str, end_reason: str) -> dict[str, Any]:
         "metrics": None,
         "state": state,
         "end_reason": end_reason,
+        "outcome": outcome,
+        "outcome_reason": "in hover, truly 0.21 m from the observation point." if outcome else "",
     }
 
 

@@ -13,6 +13,7 @@ from bumpless_server.web import views
 from tests.console import flight
 from tests.console.conftest import show
 from tests.console.contract_server import ContractServer
+from tests.console.replies import RUN_ID
 
 VIEWS = tuple(view.name for view in views.VIEWS)
 AA = 4.5
@@ -165,3 +166,17 @@ def contrast(one: str, other: str) -> float:
 
     high, low = sorted((luminance(one), luminance(other)), reverse=True)
     return (high + 0.05) / (low + 0.05)
+
+
+def test_the_run_that_is_over_says_how_it_ended(console: Page, server: ContractServer) -> None:
+    """Protects: "completed" alone says nothing; the judgement of this very run takes its place."""
+    server.keep_saying(flight.hello(pb.MISSION_PHASE_COMPLETED))
+    phase = console.get_by_label("Mission phase")
+    expect(phase).to_have_text("Over")
+    text = "Held: in hover, truly 0.21 m from the observation point."
+    server.say(
+        flight.event(90.0, pb.SEVERITY_INFO, "outcome", "Docked: long ago.", ending="docked", run="another")
+    )
+    server.say(flight.event(90.5, pb.SEVERITY_INFO, "outcome", text, ending="held", run=RUN_ID))
+    expect(phase).to_contain_text("held")
+    expect(console.get_by_label("Mission control")).to_contain_text(text)

@@ -32,13 +32,16 @@ def quiet(n: int, **columns: Any) -> Columns:
         "solve_time": np.full(n, 20e-6),
     }
     base |= {name: np.zeros((n, 6)) for name in ("eta_hat", "nu_hat", "tau_d", "tau_plus", "tau_minus")}
+    base |= {name: np.zeros(n, np.int64) for name in ("stage", "tried", "reason")}
+    base |= {"nu_r_hat": np.zeros((n, 3)), "reference": np.zeros((n, 6))}
+    base |= {"cross_track": np.zeros(n), "approach": np.zeros(n)}
     base |= {name: np.zeros((n, 6)) for name in ("tau_c", "tau", "eta", "nu")}
     base |= {
         "observation_point": np.zeros((n, 3)),
         "target": np.zeros((n, 4)),
         "target_true": np.zeros((n, 3)),
     }
-    base |= {"u": np.zeros((n, N_U)), "du_max": np.full((n, N_U), 0.02)}
+    base |= {"u": np.zeros((n, N_U)), "u_feedback": np.zeros((n, N_U)), "du_max": np.full((n, N_U), 0.02)}
     return Columns(**(base | columns))
 
 

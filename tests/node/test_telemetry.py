@@ -10,7 +10,7 @@ from bumpless.config.mission import parse_mission
 from bumpless.config.parameters import Parameters, default_parameters
 from bumpless.config.vehicle import Vehicle, load_vehicle
 from bumpless.contract import bumpless_pb2 as pb
-from bumpless.contract.keys import TOPICS
+from bumpless.contract.keys import TOPICS, Topic
 from bumpless.sim.log import LOG
 from bumpless.telemetry import FlightState, Teller, make_context, messages
 from tests.node.flying import MISSIONS, START_NS, Flying
@@ -124,6 +124,17 @@ def test_every_topic_is_told_at_its_rate(vehicle: Vehicle, parameters: Parameter
     slow = {"tlm/mission": 8, "tlm/parameters": 4, "tlm/health": 4, "tlm/description": 2}
     assert {topic: counts[topic] for topic in slow} == slow
     assert "tlm/plan" not in counts
+
+
+def test_a_rate_makes_a_topic_of_rows_rarer(
+    vehicle: Vehicle, parameters: Parameters, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Protects: a topic told of rows needs its rate in the table of topics and nothing else."""
+    monkeypatch.setitem(TOPICS, "target", Topic("target", pb.Target, rate_hz=4.0))
+    teller, state = Teller(vehicle, parameters), FlightState(parameters, 1)
+    row = random_row(3)
+    told = [topic for _ in range(10) for topic, _ in teller.tell(row, state)]
+    assert told.count("tlm/target") == 2 and told.count("tlm/control") == 10
 
 
 def test_a_run_is_announced_before_its_first_row_and_ended_after_its_last() -> None:

@@ -10,6 +10,7 @@ from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.messages import encoded
 from bumpless.runs.flown import Flown
 from bumpless.runs.names import COMPLETE
+from bumpless.runs.names import MISSION as MISSION_STATUS
 from bumpless.runs.view import View
 from bumpless.runs.writer import RunWriter
 from bumpless.sim.twin import Result
@@ -28,6 +29,12 @@ class Flight:
     run: Run
     bus: list[Told]
     path: Path
+
+    @property
+    def kept(self) -> list[Told]:
+        """What a log of it holds: all of the bus, and how it ended."""
+        *_, (topic, event) = self.run.messages()
+        return [*self.bus, (self.bus[-1][0], topic, event.DESCRIPTOR.full_name, encoded(event))]
 
     @property
     def result(self) -> Result:
@@ -62,12 +69,14 @@ def record(
 ) -> None:
     """Record messages of the bus as a live recorder would."""
     bus = list(bus)
-    first = next((payload for _, topic, _, payload in bus if topic == "tlm/mission"), b"")
+    first = next((payload for _, topic, _, payload in bus if topic == MISSION_STATUS), b"")
     status = pb.MissionStatus.FromString(first)
     status.run_id = status.run_id or "run-1"
     writer = RunWriter(path, status, path.stem, views)
     for i, (time_ns, topic, schema, payload) in enumerate(bus):
         writer.write(topic, schema, payload, time_ns + delay_ns)
+        if topic == MISSION_STATUS:
+            writer.status = pb.MissionStatus.FromString(payload)
         if i % flush_every == flush_every - 1:
             writer.flush()
     writer.finish(COMPLETE, "done")

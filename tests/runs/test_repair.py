@@ -35,7 +35,7 @@ def test_what_was_flushed_survives_a_cut_anywhere(flight: Flight, tmp_path: Path
     path.write_bytes(data[: int(share * len(data))])
     saved = repair(path)
     found = bus_of(path)
-    assert found == [(t, topic, payload) for t, topic, _, payload in flight.bus[: len(found)]]
+    assert found == [(t, topic, payload) for t, topic, _, payload in flight.kept[: len(found)]]
     assert saved.messages >= len(found)
     assert not list(tmp_path.glob("*.repair"))
 
@@ -63,7 +63,7 @@ def test_a_whole_file_stays_the_same_run(flight: Flight, tmp_path: Path) -> None
     shutil.copy(flight.path, path)
     saved = repair(path)
     assert saved.attachments == 4
-    assert bus_of(path) == [(t, topic, payload) for t, topic, _, payload in flight.bus]
+    assert bus_of(path) == [(t, topic, payload) for t, topic, _, payload in flight.kept]
     with path.open("rb") as file:
         assert {record_kind(r.name) for r in make_reader(file).iter_metadata()} == {"run", "end"}
 

@@ -20,14 +20,15 @@ from tests.runs.flights import Flight, begin
 
 
 def test_the_bus_is_kept_byte_by_byte(flight: Flight) -> None:
-    """Payload, topic, schema, both times and order are what the bus carried."""
+    """Payload, topic, schema, both times and order are what the bus carried; the outcome comes last."""
     with flight.path.open("rb") as file:
         found = [
             (m.publish_time, c.topic, s.name if s else "", m.data, m.log_time)
             for s, c, m in make_reader(file).iter_messages(log_time_order=False)
             if not c.topic.startswith("/")
         ]
-    assert [item[:4] for item in found] == flight.bus
+    assert [item[:4] for item in found] == flight.kept
+    assert (pb.Event.FromString(found[-1][3]).code, found[-2][1]) == ("outcome", "tlm/mission")
     assert all(logged == published + 1000 for published, _, _, _, logged in found)
 
 

@@ -473,6 +473,43 @@ export interface components {
             run_id: string;
         };
         /**
+         * EndErrors
+         * @description bumpless.EndErrors as JSON.
+         */
+        EndErrors: {
+            /**
+             * Depth M
+             * @default 0
+             */
+            depth_m: number | null;
+            /**
+             * Heading Deg
+             * @default 0
+             */
+            heading_deg: number | null;
+            /**
+             * Horizontal M
+             * @default 0
+             */
+            horizontal_m: number | null;
+            /**
+             * Position M
+             * @default 0
+             */
+            position_m: number | null;
+            /**
+             * Speed Mps
+             * @default 0
+             */
+            speed_mps: number | null;
+        };
+        /**
+         * Ending
+         * @description The ways a run can end.
+         * @enum {string}
+         */
+        Ending: "docked" | "held" | "waved_off" | "time_over" | "aborted" | "collided" | "interrupted";
+        /**
          * Event
          * @description One event, and when the server received it.
          */
@@ -563,10 +600,20 @@ export interface components {
              */
             d_u_fr: number | null;
             /**
+             * D U Fr Settling
+             * @default 0
+             */
+            d_u_fr_settling: number | null;
+            /**
              * D U Rh
              * @default 0
              */
             d_u_rh: number | null;
+            /**
+             * D U Rh Settling
+             * @default 0
+             */
+            d_u_rh_settling: number | null;
             /**
              * Demand Step Violations
              * @default 0
@@ -577,6 +624,11 @@ export interface components {
              * @default 0
              */
             duration_s: number | null;
+            /**
+             * Fin Travel Deg
+             * @default 0
+             */
+            fin_travel_deg: number | null;
             /**
              * Final Range M
              * @default 0
@@ -594,6 +646,7 @@ export interface components {
             missing_cycles: number;
             /** Modes */
             modes: components["schemas"]["ModeMetrics"][];
+            outcome: components["schemas"]["Outcome"] | null;
             /**
              * Residual Rms
              * @default 0
@@ -614,6 +667,16 @@ export interface components {
              * @default 0
              */
             saturation_ratio: number | null;
+            /**
+             * Screw Reversals
+             * @default 0
+             */
+            screw_reversals: number;
+            /**
+             * Shaft Energy J
+             * @default 0
+             */
+            shaft_energy_j: number | null;
             /**
              * Solve Time Max Us
              * @default 0
@@ -779,6 +842,26 @@ export interface components {
             /** Actuator Rms */
             actuator_rms: (number | null)[];
             /**
+             * Cross Track Error Max M
+             * @default 0
+             */
+            cross_track_error_max_m: number | null;
+            /**
+             * Cross Track Error Rms M
+             * @default 0
+             */
+            cross_track_error_rms_m: number | null;
+            /**
+             * Depth Error Max M
+             * @default 0
+             */
+            depth_error_max_m: number | null;
+            /**
+             * Depth Error Rms M
+             * @default 0
+             */
+            depth_error_rms_m: number | null;
+            /**
              * Depth Peak To Peak M
              * @default 0
              */
@@ -793,6 +876,16 @@ export interface components {
              * @default 0
              */
             duration_s: number | null;
+            /**
+             * Heading Error Max Deg
+             * @default 0
+             */
+            heading_error_max_deg: number | null;
+            /**
+             * Heading Error Rms Deg
+             * @default 0
+             */
+            heading_error_rms_deg: number | null;
             /**
              * Mode
              * @default MODE_UNSPECIFIED
@@ -819,6 +912,16 @@ export interface components {
              * @default 0
              */
             samples: number;
+            /**
+             * Speed Error Max Mps
+             * @default 0
+             */
+            speed_error_max_mps: number | null;
+            /**
+             * Speed Error Rms Mps
+             * @default 0
+             */
+            speed_error_rms_mps: number | null;
             /**
              * Surge Speed Mean Mps
              * @default 0
@@ -849,6 +952,56 @@ export interface components {
              * @default 0
              */
             ramp_cycles: number;
+        };
+        /**
+         * Outcome
+         * @description bumpless.Outcome as JSON.
+         */
+        Outcome: {
+            /**
+             * Basis
+             * @default
+             */
+            basis: string;
+            believed_errors: components["schemas"]["EndErrors"] | null;
+            /**
+             * Closest M
+             * @default 0
+             */
+            closest_m: number | null;
+            /**
+             * Closest S
+             * @default 0
+             */
+            closest_s: number | null;
+            /**
+             * Ending
+             * @default ENDING_UNSPECIFIED
+             * @enum {string}
+             */
+            ending: "ENDING_UNSPECIFIED" | "ENDING_DOCKED" | "ENDING_HELD" | "ENDING_WAVED_OFF" | "ENDING_TIME_OVER" | "ENDING_ABORTED" | "ENDING_COLLIDED" | "ENDING_INTERRUPTED";
+            /**
+             * Held S
+             * @default 0
+             */
+            held_s: number | null;
+            /**
+             * Mode
+             * @default MODE_UNSPECIFIED
+             * @enum {string}
+             */
+            mode: "MODE_UNSPECIFIED" | "MODE_FORWARD" | "MODE_REVERSE" | "MODE_HOVER";
+            /**
+             * Reason
+             * @default
+             */
+            reason: string;
+            /**
+             * Tries
+             * @default 0
+             */
+            tries: number;
+            true_errors: components["schemas"]["EndErrors"] | null;
         };
         /**
          * Parameters
@@ -927,11 +1080,11 @@ export interface components {
         };
         /**
          * Range
-         * @description What one live-tunable number may be. `count`: the length of a vector.
+         * @description What one live-tunable number may be. `count`: 0 for one number, -1 for one per command.
          */
         Range: {
             /** Count */
-            count: number | string | null;
+            count: number;
             /** Label */
             label: string;
             /** Max */
@@ -977,6 +1130,9 @@ export interface components {
             mission: string;
             /** Mission Sha256 */
             mission_sha256: string;
+            outcome: components["schemas"]["Ending"] | null;
+            /** Outcome Reason */
+            outcome_reason: string;
             /** Run Id */
             run_id: string;
             /**
@@ -1190,8 +1346,18 @@ export interface components {
          * @description bumpless.SwitchMetrics as JSON.
          */
         SwitchMetrics: {
+            /**
+             * Acceleration Step Mps2
+             * @default 0
+             */
+            acceleration_step_mps2: number | null;
             /** Actuator Step */
             actuator_step: (number | null)[];
+            /**
+             * Angular Acceleration Step Degps2
+             * @default 0
+             */
+            angular_acceleration_step_degps2: number | null;
             /**
              * Command Step Normalised
              * @default 0
@@ -1203,11 +1369,31 @@ export interface components {
              */
             command_step_raw: number | null;
             /**
+             * Command Step Settling
+             * @default 0
+             */
+            command_step_settling: number | null;
+            /**
+             * Force Step N
+             * @default 0
+             */
+            force_step_n: number | null;
+            /**
              * From Mode
              * @default MODE_UNSPECIFIED
              * @enum {string}
              */
             from_mode: "MODE_UNSPECIFIED" | "MODE_FORWARD" | "MODE_REVERSE" | "MODE_HOVER";
+            /**
+             * Moment Step Nm
+             * @default 0
+             */
+            moment_step_nm: number | null;
+            /**
+             * Settling S
+             * @default 0
+             */
+            settling_s: number | null;
             /**
              * Time S
              * @default 0

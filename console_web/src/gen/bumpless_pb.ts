@@ -17,7 +17,7 @@ import type { Message } from "@bufbuild/protobuf";
  * Describes the file bumpless.proto.
  */
 export const file_bumpless: GenFile = /*@__PURE__*/
-  fileDesc("Cg5idW1wbGVzcy5wcm90bxIIYnVtcGxlc3MiKgoHVmVjdG9yMxIJCgF4GAEgASgBEgkKAXkYAiABKAESCQoBehgDIAEoASJACghBdHRpdHVkZRIQCghyb2xsX2RlZxgBIAEoARIRCglwaXRjaF9kZWcYAiABKAESDwoHeWF3X2RlZxgDIAEoASJZCgZXcmVuY2gSCwoDeF9uGAEgASgBEgsKA3lfbhgCIAEoARILCgN6X24YAyABKAESDAoEa19ubRgEIAEoARIMCgRtX25tGAUgASgBEgwKBG5fbm0YBiABKAEiPwoFU3RhbXASDwoHdGltZV9ucxgBIAEoBBIWCg5taXNzaW9uX3RpbWVfcxgCIAEoARINCgVjeWNsZRgDIAEoBCKAAwoKTmF2aWdhdGlvbhIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEikKDnBvc2l0aW9uX25lZF9tGAIgASgLMhEuYnVtcGxlc3MuVmVjdG9yMxIkCghhdHRpdHVkZRgDIAEoCzISLmJ1bXBsZXNzLkF0dGl0dWRlEiwKEXZlbG9jaXR5X2JvZHlfbXBzGAQgASgLMhEuYnVtcGxlc3MuVmVjdG9yMxI6Ch92ZWxvY2l0eV90aHJvdWdoX3dhdGVyX2JvZHlfbXBzGAUgASgLMhEuYnVtcGxlc3MuVmVjdG9yMxIyChdhbmd1bGFyX3JhdGVfYm9keV9kZWdwcxgGIAEoCzIRLmJ1bXBsZXNzLlZlY3RvcjMSDwoHZGVwdGhfbRgHIAEoARIdChVzcGVlZF9vdmVyX2dyb3VuZF9tcHMYCCABKAESMwoYY3VycmVudF9lc3RpbWF0ZV9uZWRfbXBzGAkgASgLMhEuYnVtcGxlc3MuVmVjdG9yMyKUAgoIR3VpZGFuY2USHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIhChlzdXJnZV9zcGVlZF9yZWZlcmVuY2VfbXBzGAIgASgBEhkKEWRlcHRoX3JlZmVyZW5jZV9tGAMgASgBEi4KEmF0dGl0dWRlX3JlZmVyZW5jZRgEIAEoCzISLmJ1bXBsZXNzLkF0dGl0dWRlEhsKE2Nyb3NzX3RyYWNrX2Vycm9yX20YBSABKAESGwoTYWxvbmdfdHJhY2tfZXJyb3JfbRgGIAEoARILCgNsZWcYByABKA0SEQoJbGVnX2NvdW50GAggASgNEiAKGHN3YXlfc3BlZWRfcmVmZXJlbmNlX21wcxgJIAEoASLcBAoKU3VwZXJ2aXNvchIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEhwKBG1vZGUYAiABKA4yDi5idW1wbGVzcy5Nb2RlEiUKDXByZXZpb3VzX21vZGUYAyABKA4yDi5idW1wbGVzcy5Nb2RlEg8KB3JhbmdlX20YBCABKAESFQoNZGV0ZWN0aW9uX3JhdxgFIAEoCBIRCglkZXRlY3Rpb24YBiABKAgSDQoFa2FwcGEYByABKAESFgoOdGltZV9pbl9tb2RlX3MYCCABKAESGQoRZHdlbGxfcmVtYWluaW5nX3MYCSABKAESGAoQcmFuZ2VfcmhfbG93ZXJfbRgKIAEoARIYChByYW5nZV9yaF91cHBlcl9tGAsgASgBEhgKEHJhbmdlX2ZyX2xvd2VyX20YDCABKAESGAoQcmFuZ2VfZnJfdXBwZXJfbRgNIAEoARIYChByYW5nZV9oZl91cHBlcl9tGA4gASgBEiUKBXBoYXNlGA8gASgOMhYuYnVtcGxlc3MuTWlzc2lvblBoYXNlEi0KDWRvY2tpbmdfc3RhZ2UYECABKA4yFi5idW1wbGVzcy5Eb2NraW5nU3RhZ2USFQoNZG9ja2luZ190cmllcxgRIAEoDRIaChJkb2NraW5nX3RyaWVzX21vc3QYEiABKA0SMAoPd2F2ZV9vZmZfcmVhc29uGBMgASgOMhcuYnVtcGxlc3MuV2F2ZU9mZlJlYXNvbhIcChRhcHByb2FjaF9oZWFkaW5nX2RlZxgUIAEoARIRCglmaXhfYWdlX3MYFSABKAEi3wEKB0NvbnRyb2wSHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIiCghkZW1hbmRlZBgCIAEoCzIQLmJ1bXBsZXNzLldyZW5jaBImCgxkZW1hbmRlZF9yYXcYAyABKAsyEC5idW1wbGVzcy5XcmVuY2gSIgoIYWNoaWV2ZWQYBCABKAsyEC5idW1wbGVzcy5XcmVuY2gSIgoIcmVzaWR1YWwYBSABKAsyEC5idW1wbGVzcy5XcmVuY2gSIAoGZnJvemVuGAYgASgLMhAuYnVtcGxlc3MuV3JlbmNoIvoBCgpBbGxvY2F0aW9uEh4KBXN0YW1wGAEgASgLMg8uYnVtcGxlc3MuU3RhbXASJQoGc3RhdHVzGAIgASgOMhUuYnVtcGxlc3MuU29sdmVTdGF0dXMSFgoOc3FwX2l0ZXJhdGlvbnMYAyABKA0SFAoMa2t0X3Jlc2lkdWFsGAQgASgBEhUKDXJlc2lkdWFsX25vcm0YBSABKAESDAoEY29zdBgGIAEoARIVCg1zb2x2ZV90aW1lX3VzGAcgASgBEhcKD3NhdHVyYXRlZF9jb3VudBgIIAEoDRIOCgZzb2x2ZXIYCSABKAkSEgoKc2xhY2tfbm9ybRgKIAEoASKxAgoIQWN0dWF0b3ISDAoEbmFtZRgBIAEoCRIMCgR1bml0GAIgASgJEg8KB2NvbW1hbmQYAyABKAESEAoIZmVlZGJhY2sYBCABKAESDQoFbG93ZXIYBSABKAESDQoFdXBwZXIYBiABKAESFwoPYW1wbGl0dWRlX2xvd2VyGAcgASgBEhcKD2FtcGxpdHVkZV91cHBlchgIIAEoARIRCglzYXR1cmF0ZWQYCSABKAgSFAoMcmF0ZV9saW1pdGVkGAogASgIEhcKD2luY3JlbWVudF9ib3VuZBgLIAEoARIaCg1lZmZlY3RpdmVuZXNzGAwgASgBSACIAQESFgoOZmF1bHRfZXZpZGVuY2UYDSABKAESDgoGZmF1bHR5GA4gASgIQhAKDl9lZmZlY3RpdmVuZXNzIlIKCUFjdHVhdG9ycxIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEiUKCWFjdHVhdG9ycxgCIAMoCzISLmJ1bXBsZXNzLkFjdHVhdG9yIvQBCgZUYXJnZXQSHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIQCghkZXRlY3RlZBgCIAEoCBIYChBtZWFzdXJlZF9yYW5nZV9tGAMgASgBEhMKC2JlYXJpbmdfZGVnGAQgASgBEhUKDWVsZXZhdGlvbl9kZWcYBSABKAESKQoOcG9zaXRpb25fbmVkX20YBiABKAsyES5idW1wbGVzcy5WZWN0b3IzEhMKC2hlYWRpbmdfZGVnGAcgASgBEjIKF29ic2VydmF0aW9uX3BvaW50X25lZF9tGAggASgLMhEuYnVtcGxlc3MuVmVjdG9yMyLdAQoNTWlzc2lvblN0YXR1cxIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEiUKBXBoYXNlGAIgASgOMhYuYnVtcGxlc3MuTWlzc2lvblBoYXNlEg4KBnJ1bl9pZBgDIAEoCRIUCgxtaXNzaW9uX25hbWUYBCABKAkSFgoObWlzc2lvbl9zaGEyNTYYBSABKAkSEgoKZHVyYXRpb25fcxgGIAEoARIRCgllbGFwc2VkX3MYByABKAESDAoEc2VlZBgIIAEoDRISCgplbmRfcmVhc29uGAkgASgJIoYBCgRQbGFuEh4KBXN0YW1wGAEgASgLMg8uYnVtcGxlc3MuU3RhbXASEQoJZmlsZV9uYW1lGAIgASgJEhQKDG1pc3Npb25feWFtbBgDIAEoCRIOCgZzaGEyNTYYBCABKAkSJQoKcGF0aF9uZWRfbRgFIAMoCzIRLmJ1bXBsZXNzLlZlY3RvcjMiXQoOTW9kZVBhcmFtZXRlcnMSEgoKcV9kaWFnb25hbBgBIAMoARISCgpyX2RpYWdvbmFsGAIgAygBEg4KBmxhbWJkYRgDIAEoARITCgtyYW1wX2N5Y2xlcxgEIAEoDSL/AQoUU3VwZXJ2aXNvclBhcmFtZXRlcnMSGAoQcmFuZ2VfcmhfbG93ZXJfbRgBIAEoARIYChByYW5nZV9yaF91cHBlcl9tGAIgASgBEhgKEHJhbmdlX2ZyX2xvd2VyX20YAyABKAESGAoQcmFuZ2VfZnJfdXBwZXJfbRgEIAEoARIYChByYW5nZV9oZl91cHBlcl9tGAUgASgBEhQKDGR3ZWxsX2N5Y2xlcxgGIAEoDRIWCg5kZXRlY3Rpb25faGl0cxgHIAEoDRIYChBkZXRlY3Rpb25fd2luZG93GAggASgNEh0KFWRldGVjdGlvbl9ob2xkX2N5Y2xlcxgJIAEoDSJfChJCdW1wbGVzc1BhcmFtZXRlcnMSDAoEcmFtcBgBIAEoCBIcChRpbnRlZ3JhdG9yX2FsaWdubWVudBgCIAEoCBIdChV3YXJtX3N0YXJ0X3Byb2plY3Rpb24YAyABKAgi7wEKClBhcmFtZXRlcnMSKQoHZm9yd2FyZBgBIAEoCzIYLmJ1bXBsZXNzLk1vZGVQYXJhbWV0ZXJzEikKB3JldmVyc2UYAiABKAsyGC5idW1wbGVzcy5Nb2RlUGFyYW1ldGVycxInCgVob3ZlchgDIAEoCzIYLmJ1bXBsZXNzLk1vZGVQYXJhbWV0ZXJzEjIKCnN1cGVydmlzb3IYBCABKAsyHi5idW1wbGVzcy5TdXBlcnZpc29yUGFyYW1ldGVycxIuCghidW1wbGVzcxgFIAEoCzIcLmJ1bXBsZXNzLkJ1bXBsZXNzUGFyYW1ldGVycyK7AQoQUGFyYW1ldGVyc1N0YXR1cxIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEiQKBmFjdGl2ZRgCIAEoCzIULmJ1bXBsZXNzLlBhcmFtZXRlcnMSEAoIcmV2aXNpb24YAyABKAQSDgoGc2hhMjU2GAQgASgJEiYKCGRlZmF1bHRzGAUgASgLMhQuYnVtcGxlc3MuUGFyYW1ldGVycxIXCg9wYXJhbWV0ZXJzX2pzb24YBiABKAki5AEKElZlaGljbGVEZXNjcmlwdGlvbhIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEhIKCnZlaGljbGVfaWQYAiABKAkSFAoMdmVoaWNsZV9uYW1lGAMgASgJEhQKDHZlaGljbGVfdG9tbBgEIAEoCRIOCgZzaGEyNTYYBSABKAkSGAoQc29mdHdhcmVfdmVyc2lvbhgGIAEoCRIYChBjb250cm9sX3BlcmlvZF9zGAcgASgBEhYKDmFjdHVhdG9yX25hbWVzGAggAygJEhIKCnNlc3Npb25faWQYCSABKAkijAIKBkhlYWx0aBIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEg4KBmN5Y2xlcxgCIAEoBBIVCg1taXNzZWRfY3ljbGVzGAMgASgEEhcKD2xhdGVuZXNzX3A5OV9tcxgEIAEoARIXCg9sYXRlbmVzc19tYXhfbXMYBSABKAESGQoRY3ljbGVfdGltZV9wNTBfdXMYBiABKAESGQoRY3ljbGVfdGltZV9wOTlfdXMYByABKAESFgoOcmVzaWRlbnRfYnl0ZXMYCCABKAQSEgoKcHJvY2Vzc19pZBgJIAEoDRIRCglob3N0X25hbWUYCiABKAkSFAoMZHJvcHBlZF9yb3dzGAsgASgEIsgBCgVFdmVudBIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEiQKCHNldmVyaXR5GAIgASgOMhIuYnVtcGxlc3MuU2V2ZXJpdHkSDAoEY29kZRgDIAEoCRIMCgR0ZXh0GAQgASgJEi0KB2RldGFpbHMYBSADKAsyHC5idW1wbGVzcy5FdmVudC5EZXRhaWxzRW50cnkaLgoMRGV0YWlsc0VudHJ5EgsKA2tleRgBIAEoCRINCgV2YWx1ZRgCIAEoCToCOAEi/wIKClRydXRoU3RhdGUSHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIpCg5wb3NpdGlvbl9uZWRfbRgCIAEoCzIRLmJ1bXBsZXNzLlZlY3RvcjMSJAoIYXR0aXR1ZGUYAyABKAsyEi5idW1wbGVzcy5BdHRpdHVkZRIsChF2ZWxvY2l0eV9ib2R5X21wcxgEIAEoCzIRLmJ1bXBsZXNzLlZlY3RvcjMSMgoXYW5ndWxhcl9yYXRlX2JvZHlfZGVncHMYBSABKAsyES5idW1wbGVzcy5WZWN0b3IzEikKD2FjdHVhdG9yX3dyZW5jaBgGIAEoCzIQLmJ1bXBsZXNzLldyZW5jaBIqCg9jdXJyZW50X25lZF9tcHMYByABKAsyES5idW1wbGVzcy5WZWN0b3IzEhUKDWVmZmVjdGl2ZW5lc3MYCCADKAESMAoVdGFyZ2V0X3Bvc2l0aW9uX25lZF9tGAkgASgLMhEuYnVtcGxlc3MuVmVjdG9yMyJlCgxTdGFydE1pc3Npb24SEQoJZmlsZV9uYW1lGAEgASgJEhQKDG1pc3Npb25feWFtbBgCIAEoCRIRCgRzZWVkGAMgASgNSACIAQESEAoIb3BlcmF0b3IYBCABKAlCBwoFX3NlZWQiBwoFRW1wdHkidwoMQ29tbWFuZFJlcGx5EhAKCGFjY2VwdGVkGAEgASgIEg4KBnJlYXNvbhgCIAEoCRIjCghwcm9ibGVtcxgDIAMoCzIRLmJ1bXBsZXNzLlByb2JsZW0SDgoGcnVuX2lkGAQgASgJEhAKCHJldmlzaW9uGAUgASgEImEKB1Byb2JsZW0SDAoEZmlsZRgBIAEoCRIMCgRsaW5lGAIgASgNEg4KBmNvbHVtbhgDIAEoDRINCgVmaWVsZBgEIAEoCRINCgV2YWx1ZRgFIAEoCRIMCgRydWxlGAYgASgJIrUBCg1Td2l0Y2hNZXRyaWNzEiEKCWZyb21fbW9kZRgBIAEoDjIOLmJ1bXBsZXNzLk1vZGUSHwoHdG9fbW9kZRgCIAEoDjIOLmJ1bXBsZXNzLk1vZGUSDgoGdGltZV9zGAMgASgBEh8KF2NvbW1hbmRfc3RlcF9ub3JtYWxpc2VkGAQgASgBEhgKEGNvbW1hbmRfc3RlcF9yYXcYBSABKAESFQoNYWN0dWF0b3Jfc3RlcBgGIAMoASKPAgoLTW9kZU1ldHJpY3MSHAoEbW9kZRgBIAEoDjIOLmJ1bXBsZXNzLk1vZGUSEgoKZHVyYXRpb25fcxgCIAEoARIPCgdzYW1wbGVzGAMgASgNEhMKC2RlcHRoX3Jtc19tGAQgASgBEhwKFGRlcHRoX3BlYWtfdG9fcGVha19tGAUgASgBEhQKDHJvbGxfcm1zX2RlZxgGIAEoARIVCg1waXRjaF9ybXNfZGVnGAcgASgBEhMKC3lhd19ybXNfZGVnGAggASgBEhwKFHN1cmdlX3NwZWVkX21lYW5fbXBzGAkgASgBEhQKDGFjdHVhdG9yX3JtcxgKIAMoARIUCgxyZXNpZHVhbF9ybXMYCyABKAEi6QMKB01ldHJpY3MSDgoGcnVuX2lkGAEgASgJEhIKCmR1cmF0aW9uX3MYAiABKAESDgoGY3ljbGVzGAMgASgNEhQKDHJlc2lkdWFsX3JtcxgEIAEoARIYChBzYXR1cmF0aW9uX3JhdGlvGAUgASgBEg4KBmRfdV9mchgGIAEoARIOCgZkX3VfcmgYByABKAESKQoIc3dpdGNoZXMYCCADKAsyFy5idW1wbGVzcy5Td2l0Y2hNZXRyaWNzEiQKBW1vZGVzGAkgAygLMhUuYnVtcGxlc3MuTW9kZU1ldHJpY3MSGgoSc29sdmVfdGltZV9tZWFuX3VzGAogASgBEhkKEXNvbHZlX3RpbWVfc3RkX3VzGAsgASgBEhkKEXNvbHZlX3RpbWVfcDk1X3VzGAwgASgBEhkKEXNvbHZlX3RpbWVfbWF4X3VzGA0gASgBEhUKDWZpbmFsX3JhbmdlX20YDiABKAESHAoUaW5jcmVtZW50X3Zpb2xhdGlvbnMYDyABKA0SHgoWZGVtYW5kX3N0ZXBfdmlvbGF0aW9ucxgQIAEoDRIZChFyZXNpZHVhbF9ybXNfdHJ1ZRgRIAEoARIWCg5taXNzaW5nX2N5Y2xlcxgSIAEoDRIUCgxzb2x2ZWRfcmF0aW8YEyABKAEiWAoNU3RyZWFtTWVzc2FnZRINCgV0b3BpYxgBIAEoCRIOCgZzY2hlbWEYAiABKAkSDwoHcGF5bG9hZBgDIAEoDBIXCg9yZWNlaXZlX3RpbWVfbnMYBCABKAQiXgoLU3RyZWFtRnJhbWUSFgoOc2VydmVyX3RpbWVfbnMYASABKAQSKQoIbWVzc2FnZXMYAiADKAsyFy5idW1wbGVzcy5TdHJlYW1NZXNzYWdlEgwKBHBhc3QYAyABKAgixQIKDFNlcnZlclN0YXR1cxIPCgd0aW1lX25zGAEgASgEEhIKCnZlaGljbGVfaWQYAiABKAkSIQoEbGluaxgDIAEoDjITLmJ1bXBsZXNzLkxpbmtTdGF0ZRIXCg90ZWxlbWV0cnlfYWdlX3MYBCABKAESEQoJcmVjb3JkaW5nGAUgASgIEhgKEHJlY29yZGluZ19ydW5faWQYBiABKAkSFgoOcmVjb3JkZWRfYnl0ZXMYByABKAQSGAoQcmVjb3JkZXJfZHJvcHBlZBgIIAEoBBIVCg1ub2RlX3Jlc3RhcnRzGAkgASgNEhYKDnN0cmVhbV9jbGllbnRzGAogASgNEhYKDnNlcnZlcl92ZXJzaW9uGAsgASgJEhQKDG5vZGVfbWFuYWdlZBgMIAEoCBIYChByZWNvcmRlcl90cm91YmxlGA0gASgJKlAKBE1vZGUSFAoQTU9ERV9VTlNQRUNJRklFRBAAEhAKDE1PREVfRk9SV0FSRBABEhAKDE1PREVfUkVWRVJTRRACEg4KCk1PREVfSE9WRVIQAyqyAQoMTWlzc2lvblBoYXNlEh0KGU1JU1NJT05fUEhBU0VfVU5TUEVDSUZJRUQQABIWChJNSVNTSU9OX1BIQVNFX0lETEUQARIZChVNSVNTSU9OX1BIQVNFX1JVTk5JTkcQAhIYChRNSVNTSU9OX1BIQVNFX1BBVVNFRBADEhsKF01JU1NJT05fUEhBU0VfQ09NUExFVEVEEAQSGQoVTUlTU0lPTl9QSEFTRV9BQk9SVEVEEAUqtQEKC1NvbHZlU3RhdHVzEhwKGFNPTFZFX1NUQVRVU19VTlNQRUNJRklFRBAAEhcKE1NPTFZFX1NUQVRVU19TT0xWRUQQARIdChlTT0xWRV9TVEFUVVNfQlVER0VUX1NQRU5UEAISGwoXU09MVkVfU1RBVFVTX0lORkVBU0lCTEUQAxIZChVTT0xWRV9TVEFUVVNfRkFMTEJBQ0sQBBIYChRTT0xWRV9TVEFUVVNfUkVGVVNFRBAFKmEKCFNldmVyaXR5EhgKFFNFVkVSSVRZX1VOU1BFQ0lGSUVEEAASEQoNU0VWRVJJVFlfSU5GTxABEhQKEFNFVkVSSVRZX1dBUk5JTkcQAhISCg5TRVZFUklUWV9BTEFSTRADKq0BCgxEb2NraW5nU3RhZ2USHQoZRE9DS0lOR19TVEFHRV9VTlNQRUNJRklFRBAAEhkKFURPQ0tJTkdfU1RBR0VfVFJBTlNJVBABEhcKE0RPQ0tJTkdfU1RBR0VfRU5UUlkQAhIaChZET0NLSU5HX1NUQUdFX0FQUFJPQUNIEAMSFgoSRE9DS0lOR19TVEFHRV9CQUNLEAQSFgoSRE9DS0lOR19TVEFHRV9IT0xEEAUq6AIKDVdhdmVPZmZSZWFzb24SHwobV0FWRV9PRkZfUkVBU09OX1VOU1BFQ0lGSUVEEAASHwobV0FWRV9PRkZfUkVBU09OX1RBUkdFVF9MT1NUEAESHAoYV0FWRV9PRkZfUkVBU09OX09GRl9MSU5FEAISHwobV0FWRV9PRkZfUkVBU09OX09GRl9IRUFESU5HEAMSHQoZV0FWRV9PRkZfUkVBU09OX09GRl9ERVBUSBAEEhwKGFdBVkVfT0ZGX1JFQVNPTl9PVkVSU0hPVBAFEiEKHVdBVkVfT0ZGX1JFQVNPTl9TVFVDS19BVF9HQVRFEAYSHAoYV0FWRV9PRkZfUkVBU09OX05PVF9TRUVOEAcSHAoYV0FWRV9PRkZfUkVBU09OX1RPT19TTE9XEAgSGwoXV0FWRV9PRkZfUkVBU09OX0NVUlJFTlQQCRIdChlXQVZFX09GRl9SRUFTT05fVElNRV9PVkVSEAoqfwoJTGlua1N0YXRlEhoKFkxJTktfU1RBVEVfVU5TUEVDSUZJRUQQABIWChJMSU5LX1NUQVRFX1dBSVRJTkcQARITCg9MSU5LX1NUQVRFX0xJVkUQAhIUChBMSU5LX1NUQVRFX1NUQUxFEAMSEwoPTElOS19TVEFURV9MT1NUEARiBnByb3RvMw");
+  fileDesc("Cg5idW1wbGVzcy5wcm90bxIIYnVtcGxlc3MiKgoHVmVjdG9yMxIJCgF4GAEgASgBEgkKAXkYAiABKAESCQoBehgDIAEoASJACghBdHRpdHVkZRIQCghyb2xsX2RlZxgBIAEoARIRCglwaXRjaF9kZWcYAiABKAESDwoHeWF3X2RlZxgDIAEoASJZCgZXcmVuY2gSCwoDeF9uGAEgASgBEgsKA3lfbhgCIAEoARILCgN6X24YAyABKAESDAoEa19ubRgEIAEoARIMCgRtX25tGAUgASgBEgwKBG5fbm0YBiABKAEiPwoFU3RhbXASDwoHdGltZV9ucxgBIAEoBBIWCg5taXNzaW9uX3RpbWVfcxgCIAEoARINCgVjeWNsZRgDIAEoBCKAAwoKTmF2aWdhdGlvbhIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEikKDnBvc2l0aW9uX25lZF9tGAIgASgLMhEuYnVtcGxlc3MuVmVjdG9yMxIkCghhdHRpdHVkZRgDIAEoCzISLmJ1bXBsZXNzLkF0dGl0dWRlEiwKEXZlbG9jaXR5X2JvZHlfbXBzGAQgASgLMhEuYnVtcGxlc3MuVmVjdG9yMxI6Ch92ZWxvY2l0eV90aHJvdWdoX3dhdGVyX2JvZHlfbXBzGAUgASgLMhEuYnVtcGxlc3MuVmVjdG9yMxIyChdhbmd1bGFyX3JhdGVfYm9keV9kZWdwcxgGIAEoCzIRLmJ1bXBsZXNzLlZlY3RvcjMSDwoHZGVwdGhfbRgHIAEoARIdChVzcGVlZF9vdmVyX2dyb3VuZF9tcHMYCCABKAESMwoYY3VycmVudF9lc3RpbWF0ZV9uZWRfbXBzGAkgASgLMhEuYnVtcGxlc3MuVmVjdG9yMyKUAgoIR3VpZGFuY2USHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIhChlzdXJnZV9zcGVlZF9yZWZlcmVuY2VfbXBzGAIgASgBEhkKEWRlcHRoX3JlZmVyZW5jZV9tGAMgASgBEi4KEmF0dGl0dWRlX3JlZmVyZW5jZRgEIAEoCzISLmJ1bXBsZXNzLkF0dGl0dWRlEhsKE2Nyb3NzX3RyYWNrX2Vycm9yX20YBSABKAESGwoTYWxvbmdfdHJhY2tfZXJyb3JfbRgGIAEoARILCgNsZWcYByABKA0SEQoJbGVnX2NvdW50GAggASgNEiAKGHN3YXlfc3BlZWRfcmVmZXJlbmNlX21wcxgJIAEoASLcBAoKU3VwZXJ2aXNvchIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEhwKBG1vZGUYAiABKA4yDi5idW1wbGVzcy5Nb2RlEiUKDXByZXZpb3VzX21vZGUYAyABKA4yDi5idW1wbGVzcy5Nb2RlEg8KB3JhbmdlX20YBCABKAESFQoNZGV0ZWN0aW9uX3JhdxgFIAEoCBIRCglkZXRlY3Rpb24YBiABKAgSDQoFa2FwcGEYByABKAESFgoOdGltZV9pbl9tb2RlX3MYCCABKAESGQoRZHdlbGxfcmVtYWluaW5nX3MYCSABKAESGAoQcmFuZ2VfcmhfbG93ZXJfbRgKIAEoARIYChByYW5nZV9yaF91cHBlcl9tGAsgASgBEhgKEHJhbmdlX2ZyX2xvd2VyX20YDCABKAESGAoQcmFuZ2VfZnJfdXBwZXJfbRgNIAEoARIYChByYW5nZV9oZl91cHBlcl9tGA4gASgBEiUKBXBoYXNlGA8gASgOMhYuYnVtcGxlc3MuTWlzc2lvblBoYXNlEi0KDWRvY2tpbmdfc3RhZ2UYECABKA4yFi5idW1wbGVzcy5Eb2NraW5nU3RhZ2USFQoNZG9ja2luZ190cmllcxgRIAEoDRIaChJkb2NraW5nX3RyaWVzX21vc3QYEiABKA0SMAoPd2F2ZV9vZmZfcmVhc29uGBMgASgOMhcuYnVtcGxlc3MuV2F2ZU9mZlJlYXNvbhIcChRhcHByb2FjaF9oZWFkaW5nX2RlZxgUIAEoARIRCglmaXhfYWdlX3MYFSABKAEi3wEKB0NvbnRyb2wSHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIiCghkZW1hbmRlZBgCIAEoCzIQLmJ1bXBsZXNzLldyZW5jaBImCgxkZW1hbmRlZF9yYXcYAyABKAsyEC5idW1wbGVzcy5XcmVuY2gSIgoIYWNoaWV2ZWQYBCABKAsyEC5idW1wbGVzcy5XcmVuY2gSIgoIcmVzaWR1YWwYBSABKAsyEC5idW1wbGVzcy5XcmVuY2gSIAoGZnJvemVuGAYgASgLMhAuYnVtcGxlc3MuV3JlbmNoIvoBCgpBbGxvY2F0aW9uEh4KBXN0YW1wGAEgASgLMg8uYnVtcGxlc3MuU3RhbXASJQoGc3RhdHVzGAIgASgOMhUuYnVtcGxlc3MuU29sdmVTdGF0dXMSFgoOc3FwX2l0ZXJhdGlvbnMYAyABKA0SFAoMa2t0X3Jlc2lkdWFsGAQgASgBEhUKDXJlc2lkdWFsX25vcm0YBSABKAESDAoEY29zdBgGIAEoARIVCg1zb2x2ZV90aW1lX3VzGAcgASgBEhcKD3NhdHVyYXRlZF9jb3VudBgIIAEoDRIOCgZzb2x2ZXIYCSABKAkSEgoKc2xhY2tfbm9ybRgKIAEoASKxAgoIQWN0dWF0b3ISDAoEbmFtZRgBIAEoCRIMCgR1bml0GAIgASgJEg8KB2NvbW1hbmQYAyABKAESEAoIZmVlZGJhY2sYBCABKAESDQoFbG93ZXIYBSABKAESDQoFdXBwZXIYBiABKAESFwoPYW1wbGl0dWRlX2xvd2VyGAcgASgBEhcKD2FtcGxpdHVkZV91cHBlchgIIAEoARIRCglzYXR1cmF0ZWQYCSABKAgSFAoMcmF0ZV9saW1pdGVkGAogASgIEhcKD2luY3JlbWVudF9ib3VuZBgLIAEoARIaCg1lZmZlY3RpdmVuZXNzGAwgASgBSACIAQESFgoOZmF1bHRfZXZpZGVuY2UYDSABKAESDgoGZmF1bHR5GA4gASgIQhAKDl9lZmZlY3RpdmVuZXNzIlIKCUFjdHVhdG9ycxIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEiUKCWFjdHVhdG9ycxgCIAMoCzISLmJ1bXBsZXNzLkFjdHVhdG9yIvQBCgZUYXJnZXQSHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIQCghkZXRlY3RlZBgCIAEoCBIYChBtZWFzdXJlZF9yYW5nZV9tGAMgASgBEhMKC2JlYXJpbmdfZGVnGAQgASgBEhUKDWVsZXZhdGlvbl9kZWcYBSABKAESKQoOcG9zaXRpb25fbmVkX20YBiABKAsyES5idW1wbGVzcy5WZWN0b3IzEhMKC2hlYWRpbmdfZGVnGAcgASgBEjIKF29ic2VydmF0aW9uX3BvaW50X25lZF9tGAggASgLMhEuYnVtcGxlc3MuVmVjdG9yMyLdAQoNTWlzc2lvblN0YXR1cxIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEiUKBXBoYXNlGAIgASgOMhYuYnVtcGxlc3MuTWlzc2lvblBoYXNlEg4KBnJ1bl9pZBgDIAEoCRIUCgxtaXNzaW9uX25hbWUYBCABKAkSFgoObWlzc2lvbl9zaGEyNTYYBSABKAkSEgoKZHVyYXRpb25fcxgGIAEoARIRCgllbGFwc2VkX3MYByABKAESDAoEc2VlZBgIIAEoDRISCgplbmRfcmVhc29uGAkgASgJIoYBCgRQbGFuEh4KBXN0YW1wGAEgASgLMg8uYnVtcGxlc3MuU3RhbXASEQoJZmlsZV9uYW1lGAIgASgJEhQKDG1pc3Npb25feWFtbBgDIAEoCRIOCgZzaGEyNTYYBCABKAkSJQoKcGF0aF9uZWRfbRgFIAMoCzIRLmJ1bXBsZXNzLlZlY3RvcjMiXQoOTW9kZVBhcmFtZXRlcnMSEgoKcV9kaWFnb25hbBgBIAMoARISCgpyX2RpYWdvbmFsGAIgAygBEg4KBmxhbWJkYRgDIAEoARITCgtyYW1wX2N5Y2xlcxgEIAEoDSL/AQoUU3VwZXJ2aXNvclBhcmFtZXRlcnMSGAoQcmFuZ2VfcmhfbG93ZXJfbRgBIAEoARIYChByYW5nZV9yaF91cHBlcl9tGAIgASgBEhgKEHJhbmdlX2ZyX2xvd2VyX20YAyABKAESGAoQcmFuZ2VfZnJfdXBwZXJfbRgEIAEoARIYChByYW5nZV9oZl91cHBlcl9tGAUgASgBEhQKDGR3ZWxsX2N5Y2xlcxgGIAEoDRIWCg5kZXRlY3Rpb25faGl0cxgHIAEoDRIYChBkZXRlY3Rpb25fd2luZG93GAggASgNEh0KFWRldGVjdGlvbl9ob2xkX2N5Y2xlcxgJIAEoDSJfChJCdW1wbGVzc1BhcmFtZXRlcnMSDAoEcmFtcBgBIAEoCBIcChRpbnRlZ3JhdG9yX2FsaWdubWVudBgCIAEoCBIdChV3YXJtX3N0YXJ0X3Byb2plY3Rpb24YAyABKAgi7wEKClBhcmFtZXRlcnMSKQoHZm9yd2FyZBgBIAEoCzIYLmJ1bXBsZXNzLk1vZGVQYXJhbWV0ZXJzEikKB3JldmVyc2UYAiABKAsyGC5idW1wbGVzcy5Nb2RlUGFyYW1ldGVycxInCgVob3ZlchgDIAEoCzIYLmJ1bXBsZXNzLk1vZGVQYXJhbWV0ZXJzEjIKCnN1cGVydmlzb3IYBCABKAsyHi5idW1wbGVzcy5TdXBlcnZpc29yUGFyYW1ldGVycxIuCghidW1wbGVzcxgFIAEoCzIcLmJ1bXBsZXNzLkJ1bXBsZXNzUGFyYW1ldGVycyK7AQoQUGFyYW1ldGVyc1N0YXR1cxIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEiQKBmFjdGl2ZRgCIAEoCzIULmJ1bXBsZXNzLlBhcmFtZXRlcnMSEAoIcmV2aXNpb24YAyABKAQSDgoGc2hhMjU2GAQgASgJEiYKCGRlZmF1bHRzGAUgASgLMhQuYnVtcGxlc3MuUGFyYW1ldGVycxIXCg9wYXJhbWV0ZXJzX2pzb24YBiABKAki5AEKElZlaGljbGVEZXNjcmlwdGlvbhIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEhIKCnZlaGljbGVfaWQYAiABKAkSFAoMdmVoaWNsZV9uYW1lGAMgASgJEhQKDHZlaGljbGVfdG9tbBgEIAEoCRIOCgZzaGEyNTYYBSABKAkSGAoQc29mdHdhcmVfdmVyc2lvbhgGIAEoCRIYChBjb250cm9sX3BlcmlvZF9zGAcgASgBEhYKDmFjdHVhdG9yX25hbWVzGAggAygJEhIKCnNlc3Npb25faWQYCSABKAkijAIKBkhlYWx0aBIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEg4KBmN5Y2xlcxgCIAEoBBIVCg1taXNzZWRfY3ljbGVzGAMgASgEEhcKD2xhdGVuZXNzX3A5OV9tcxgEIAEoARIXCg9sYXRlbmVzc19tYXhfbXMYBSABKAESGQoRY3ljbGVfdGltZV9wNTBfdXMYBiABKAESGQoRY3ljbGVfdGltZV9wOTlfdXMYByABKAESFgoOcmVzaWRlbnRfYnl0ZXMYCCABKAQSEgoKcHJvY2Vzc19pZBgJIAEoDRIRCglob3N0X25hbWUYCiABKAkSFAoMZHJvcHBlZF9yb3dzGAsgASgEIsgBCgVFdmVudBIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEiQKCHNldmVyaXR5GAIgASgOMhIuYnVtcGxlc3MuU2V2ZXJpdHkSDAoEY29kZRgDIAEoCRIMCgR0ZXh0GAQgASgJEi0KB2RldGFpbHMYBSADKAsyHC5idW1wbGVzcy5FdmVudC5EZXRhaWxzRW50cnkaLgoMRGV0YWlsc0VudHJ5EgsKA2tleRgBIAEoCRINCgV2YWx1ZRgCIAEoCToCOAEi/wIKClRydXRoU3RhdGUSHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIpCg5wb3NpdGlvbl9uZWRfbRgCIAEoCzIRLmJ1bXBsZXNzLlZlY3RvcjMSJAoIYXR0aXR1ZGUYAyABKAsyEi5idW1wbGVzcy5BdHRpdHVkZRIsChF2ZWxvY2l0eV9ib2R5X21wcxgEIAEoCzIRLmJ1bXBsZXNzLlZlY3RvcjMSMgoXYW5ndWxhcl9yYXRlX2JvZHlfZGVncHMYBSABKAsyES5idW1wbGVzcy5WZWN0b3IzEikKD2FjdHVhdG9yX3dyZW5jaBgGIAEoCzIQLmJ1bXBsZXNzLldyZW5jaBIqCg9jdXJyZW50X25lZF9tcHMYByABKAsyES5idW1wbGVzcy5WZWN0b3IzEhUKDWVmZmVjdGl2ZW5lc3MYCCADKAESMAoVdGFyZ2V0X3Bvc2l0aW9uX25lZF9tGAkgASgLMhEuYnVtcGxlc3MuVmVjdG9yMyJlCgxTdGFydE1pc3Npb24SEQoJZmlsZV9uYW1lGAEgASgJEhQKDG1pc3Npb25feWFtbBgCIAEoCRIRCgRzZWVkGAMgASgNSACIAQESEAoIb3BlcmF0b3IYBCABKAlCBwoFX3NlZWQiBwoFRW1wdHkidwoMQ29tbWFuZFJlcGx5EhAKCGFjY2VwdGVkGAEgASgIEg4KBnJlYXNvbhgCIAEoCRIjCghwcm9ibGVtcxgDIAMoCzIRLmJ1bXBsZXNzLlByb2JsZW0SDgoGcnVuX2lkGAQgASgJEhAKCHJldmlzaW9uGAUgASgEImEKB1Byb2JsZW0SDAoEZmlsZRgBIAEoCRIMCgRsaW5lGAIgASgNEg4KBmNvbHVtbhgDIAEoDRINCgVmaWVsZBgEIAEoCRINCgV2YWx1ZRgFIAEoCRIMCgRydWxlGAYgASgJIuACCg1Td2l0Y2hNZXRyaWNzEiEKCWZyb21fbW9kZRgBIAEoDjIOLmJ1bXBsZXNzLk1vZGUSHwoHdG9fbW9kZRgCIAEoDjIOLmJ1bXBsZXNzLk1vZGUSDgoGdGltZV9zGAMgASgBEh8KF2NvbW1hbmRfc3RlcF9ub3JtYWxpc2VkGAQgASgBEhgKEGNvbW1hbmRfc3RlcF9yYXcYBSABKAESFQoNYWN0dWF0b3Jfc3RlcBgGIAMoARISCgpzZXR0bGluZ19zGAcgASgBEh0KFWNvbW1hbmRfc3RlcF9zZXR0bGluZxgIIAEoARIUCgxmb3JjZV9zdGVwX24YCSABKAESFgoObW9tZW50X3N0ZXBfbm0YCiABKAESHgoWYWNjZWxlcmF0aW9uX3N0ZXBfbXBzMhgLIAEoARIoCiBhbmd1bGFyX2FjY2VsZXJhdGlvbl9zdGVwX2RlZ3BzMhgMIAEoASL/AwoLTW9kZU1ldHJpY3MSHAoEbW9kZRgBIAEoDjIOLmJ1bXBsZXNzLk1vZGUSEgoKZHVyYXRpb25fcxgCIAEoARIPCgdzYW1wbGVzGAMgASgNEhMKC2RlcHRoX3Jtc19tGAQgASgBEhwKFGRlcHRoX3BlYWtfdG9fcGVha19tGAUgASgBEhQKDHJvbGxfcm1zX2RlZxgGIAEoARIVCg1waXRjaF9ybXNfZGVnGAcgASgBEhMKC3lhd19ybXNfZGVnGAggASgBEhwKFHN1cmdlX3NwZWVkX21lYW5fbXBzGAkgASgBEhQKDGFjdHVhdG9yX3JtcxgKIAMoARIUCgxyZXNpZHVhbF9ybXMYCyABKAESGQoRZGVwdGhfZXJyb3Jfcm1zX20YDCABKAESGQoRZGVwdGhfZXJyb3JfbWF4X20YDSABKAESHwoXY3Jvc3NfdHJhY2tfZXJyb3Jfcm1zX20YDiABKAESHwoXY3Jvc3NfdHJhY2tfZXJyb3JfbWF4X20YDyABKAESHQoVaGVhZGluZ19lcnJvcl9ybXNfZGVnGBAgASgBEh0KFWhlYWRpbmdfZXJyb3JfbWF4X2RlZxgRIAEoARIbChNzcGVlZF9lcnJvcl9ybXNfbXBzGBIgASgBEhsKE3NwZWVkX2Vycm9yX21heF9tcHMYEyABKAEibgoJRW5kRXJyb3JzEhIKCnBvc2l0aW9uX20YASABKAESFAoMaG9yaXpvbnRhbF9tGAIgASgBEg8KB2RlcHRoX20YAyABKAESEwoLaGVhZGluZ19kZWcYBCABKAESEQoJc3BlZWRfbXBzGAUgASgBIoUCCgdPdXRjb21lEiAKBmVuZGluZxgBIAEoDjIQLmJ1bXBsZXNzLkVuZGluZxIOCgZyZWFzb24YAiABKAkSDQoFYmFzaXMYAyABKAkSHAoEbW9kZRgEIAEoDjIOLmJ1bXBsZXNzLk1vZGUSDgoGaGVsZF9zGAUgASgBEhEKCWNsb3Nlc3RfbRgGIAEoARIRCgljbG9zZXN0X3MYByABKAESKAoLdHJ1ZV9lcnJvcnMYCCABKAsyEy5idW1wbGVzcy5FbmRFcnJvcnMSLAoPYmVsaWV2ZWRfZXJyb3JzGAkgASgLMhMuYnVtcGxlc3MuRW5kRXJyb3JzEg0KBXRyaWVzGAogASgNIogFCgdNZXRyaWNzEg4KBnJ1bl9pZBgBIAEoCRISCgpkdXJhdGlvbl9zGAIgASgBEg4KBmN5Y2xlcxgDIAEoDRIUCgxyZXNpZHVhbF9ybXMYBCABKAESGAoQc2F0dXJhdGlvbl9yYXRpbxgFIAEoARIOCgZkX3VfZnIYBiABKAESDgoGZF91X3JoGAcgASgBEikKCHN3aXRjaGVzGAggAygLMhcuYnVtcGxlc3MuU3dpdGNoTWV0cmljcxIkCgVtb2RlcxgJIAMoCzIVLmJ1bXBsZXNzLk1vZGVNZXRyaWNzEhoKEnNvbHZlX3RpbWVfbWVhbl91cxgKIAEoARIZChFzb2x2ZV90aW1lX3N0ZF91cxgLIAEoARIZChFzb2x2ZV90aW1lX3A5NV91cxgMIAEoARIZChFzb2x2ZV90aW1lX21heF91cxgNIAEoARIVCg1maW5hbF9yYW5nZV9tGA4gASgBEhwKFGluY3JlbWVudF92aW9sYXRpb25zGA8gASgNEh4KFmRlbWFuZF9zdGVwX3Zpb2xhdGlvbnMYECABKA0SGQoRcmVzaWR1YWxfcm1zX3RydWUYESABKAESFgoObWlzc2luZ19jeWNsZXMYEiABKA0SFAoMc29sdmVkX3JhdGlvGBMgASgBEiIKB291dGNvbWUYFCABKAsyES5idW1wbGVzcy5PdXRjb21lEhcKD2RfdV9mcl9zZXR0bGluZxgVIAEoARIXCg9kX3Vfcmhfc2V0dGxpbmcYFiABKAESFgoOc2hhZnRfZW5lcmd5X2oYFyABKAESFgoOZmluX3RyYXZlbF9kZWcYGCABKAESFwoPc2NyZXdfcmV2ZXJzYWxzGBkgASgNIlgKDVN0cmVhbU1lc3NhZ2USDQoFdG9waWMYASABKAkSDgoGc2NoZW1hGAIgASgJEg8KB3BheWxvYWQYAyABKAwSFwoPcmVjZWl2ZV90aW1lX25zGAQgASgEIl4KC1N0cmVhbUZyYW1lEhYKDnNlcnZlcl90aW1lX25zGAEgASgEEikKCG1lc3NhZ2VzGAIgAygLMhcuYnVtcGxlc3MuU3RyZWFtTWVzc2FnZRIMCgRwYXN0GAMgASgIIsUCCgxTZXJ2ZXJTdGF0dXMSDwoHdGltZV9ucxgBIAEoBBISCgp2ZWhpY2xlX2lkGAIgASgJEiEKBGxpbmsYAyABKA4yEy5idW1wbGVzcy5MaW5rU3RhdGUSFwoPdGVsZW1ldHJ5X2FnZV9zGAQgASgBEhEKCXJlY29yZGluZxgFIAEoCBIYChByZWNvcmRpbmdfcnVuX2lkGAYgASgJEhYKDnJlY29yZGVkX2J5dGVzGAcgASgEEhgKEHJlY29yZGVyX2Ryb3BwZWQYCCABKAQSFQoNbm9kZV9yZXN0YXJ0cxgJIAEoDRIWCg5zdHJlYW1fY2xpZW50cxgKIAEoDRIWCg5zZXJ2ZXJfdmVyc2lvbhgLIAEoCRIUCgxub2RlX21hbmFnZWQYDCABKAgSGAoQcmVjb3JkZXJfdHJvdWJsZRgNIAEoCSpQCgRNb2RlEhQKEE1PREVfVU5TUEVDSUZJRUQQABIQCgxNT0RFX0ZPUldBUkQQARIQCgxNT0RFX1JFVkVSU0UQAhIOCgpNT0RFX0hPVkVSEAMqsgEKDE1pc3Npb25QaGFzZRIdChlNSVNTSU9OX1BIQVNFX1VOU1BFQ0lGSUVEEAASFgoSTUlTU0lPTl9QSEFTRV9JRExFEAESGQoVTUlTU0lPTl9QSEFTRV9SVU5OSU5HEAISGAoUTUlTU0lPTl9QSEFTRV9QQVVTRUQQAxIbChdNSVNTSU9OX1BIQVNFX0NPTVBMRVRFRBAEEhkKFU1JU1NJT05fUEhBU0VfQUJPUlRFRBAFKrUBCgtTb2x2ZVN0YXR1cxIcChhTT0xWRV9TVEFUVVNfVU5TUEVDSUZJRUQQABIXChNTT0xWRV9TVEFUVVNfU09MVkVEEAESHQoZU09MVkVfU1RBVFVTX0JVREdFVF9TUEVOVBACEhsKF1NPTFZFX1NUQVRVU19JTkZFQVNJQkxFEAMSGQoVU09MVkVfU1RBVFVTX0ZBTExCQUNLEAQSGAoUU09MVkVfU1RBVFVTX1JFRlVTRUQQBSphCghTZXZlcml0eRIYChRTRVZFUklUWV9VTlNQRUNJRklFRBAAEhEKDVNFVkVSSVRZX0lORk8QARIUChBTRVZFUklUWV9XQVJOSU5HEAISEgoOU0VWRVJJVFlfQUxBUk0QAyqtAQoMRG9ja2luZ1N0YWdlEh0KGURPQ0tJTkdfU1RBR0VfVU5TUEVDSUZJRUQQABIZChVET0NLSU5HX1NUQUdFX1RSQU5TSVQQARIXChNET0NLSU5HX1NUQUdFX0VOVFJZEAISGgoWRE9DS0lOR19TVEFHRV9BUFBST0FDSBADEhYKEkRPQ0tJTkdfU1RBR0VfQkFDSxAEEhYKEkRPQ0tJTkdfU1RBR0VfSE9MRBAFKugCCg1XYXZlT2ZmUmVhc29uEh8KG1dBVkVfT0ZGX1JFQVNPTl9VTlNQRUNJRklFRBAAEh8KG1dBVkVfT0ZGX1JFQVNPTl9UQVJHRVRfTE9TVBABEhwKGFdBVkVfT0ZGX1JFQVNPTl9PRkZfTElORRACEh8KG1dBVkVfT0ZGX1JFQVNPTl9PRkZfSEVBRElORxADEh0KGVdBVkVfT0ZGX1JFQVNPTl9PRkZfREVQVEgQBBIcChhXQVZFX09GRl9SRUFTT05fT1ZFUlNIT1QQBRIhCh1XQVZFX09GRl9SRUFTT05fU1RVQ0tfQVRfR0FURRAGEhwKGFdBVkVfT0ZGX1JFQVNPTl9OT1RfU0VFThAHEhwKGFdBVkVfT0ZGX1JFQVNPTl9UT09fU0xPVxAIEhsKF1dBVkVfT0ZGX1JFQVNPTl9DVVJSRU5UEAkSHQoZV0FWRV9PRkZfUkVBU09OX1RJTUVfT1ZFUhAKKrEBCgZFbmRpbmcSFgoSRU5ESU5HX1VOU1BFQ0lGSUVEEAASEQoNRU5ESU5HX0RPQ0tFRBABEg8KC0VORElOR19IRUxEEAISFAoQRU5ESU5HX1dBVkVEX09GRhADEhQKEEVORElOR19USU1FX09WRVIQBBISCg5FTkRJTkdfQUJPUlRFRBAFEhMKD0VORElOR19DT0xMSURFRBAGEhYKEkVORElOR19JTlRFUlJVUFRFRBAHKn8KCUxpbmtTdGF0ZRIaChZMSU5LX1NUQVRFX1VOU1BFQ0lGSUVEEAASFgoSTElOS19TVEFURV9XQUlUSU5HEAESEwoPTElOS19TVEFURV9MSVZFEAISFAoQTElOS19TVEFURV9TVEFMRRADEhMKD0xJTktfU1RBVEVfTE9TVBAEYgZwcm90bzM");
 
 /**
  * @generated from message bumpless.Vector3
@@ -1475,6 +1475,46 @@ export type SwitchMetrics = Message<"bumpless.SwitchMetrics"> & {
    * @generated from field: repeated double actuator_step = 6;
    */
   actuatorStep: number[];
+
+  /**
+   * largest steps from the switch until 15 s after its ramp's end, or to the next switch
+   *
+   * how long that is
+   *
+   * @generated from field: double settling_s = 7;
+   */
+  settlingS: number;
+
+  /**
+   * max ||du||, commands over their bounds
+   *
+   * @generated from field: double command_step_settling = 8;
+   */
+  commandStepSettling: number;
+
+  /**
+   * of the plant's true wrench; NaN when not recorded
+   *
+   * @generated from field: double force_step_n = 9;
+   */
+  forceStepN: number;
+
+  /**
+   * @generated from field: double moment_step_nm = 10;
+   */
+  momentStepNm: number;
+
+  /**
+   * of the true body acceleration; NaN when not recorded
+   *
+   * @generated from field: double acceleration_step_mps2 = 11;
+   */
+  accelerationStepMps2: number;
+
+  /**
+   * @generated from field: double angular_acceleration_step_degps2 = 12;
+   */
+  angularAccelerationStepDegps2: number;
 };
 
 /**
@@ -1542,6 +1582,50 @@ export type ModeMetrics = Message<"bumpless.ModeMetrics"> & {
    * @generated from field: double residual_rms = 11;
    */
   residualRms: number;
+
+  /**
+   * tracking: believed state minus reference, RMS about zero and largest magnitude
+   *
+   * @generated from field: double depth_error_rms_m = 12;
+   */
+  depthErrorRmsM: number;
+
+  /**
+   * @generated from field: double depth_error_max_m = 13;
+   */
+  depthErrorMaxM: number;
+
+  /**
+   * @generated from field: double cross_track_error_rms_m = 14;
+   */
+  crossTrackErrorRmsM: number;
+
+  /**
+   * @generated from field: double cross_track_error_max_m = 15;
+   */
+  crossTrackErrorMaxM: number;
+
+  /**
+   * @generated from field: double heading_error_rms_deg = 16;
+   */
+  headingErrorRmsDeg: number;
+
+  /**
+   * @generated from field: double heading_error_max_deg = 17;
+   */
+  headingErrorMaxDeg: number;
+
+  /**
+   * surge over ground
+   *
+   * @generated from field: double speed_error_rms_mps = 18;
+   */
+  speedErrorRmsMps: number;
+
+  /**
+   * @generated from field: double speed_error_max_mps = 19;
+   */
+  speedErrorMaxMps: number;
 };
 
 /**
@@ -1550,6 +1634,133 @@ export type ModeMetrics = Message<"bumpless.ModeMetrics"> & {
  */
 export const ModeMetricsSchema: GenMessage<ModeMetrics> = /*@__PURE__*/
   messageDesc(file_bumpless, 28);
+
+/**
+ * Where the vehicle was against the observation point and the approach heading.
+ *
+ * @generated from message bumpless.EndErrors
+ */
+export type EndErrors = Message<"bumpless.EndErrors"> & {
+  /**
+   * 3-D distance
+   *
+   * @generated from field: double position_m = 1;
+   */
+  positionM: number;
+
+  /**
+   * its horizontal part
+   *
+   * @generated from field: double horizontal_m = 2;
+   */
+  horizontalM: number;
+
+  /**
+   * its vertical part, positive below
+   *
+   * @generated from field: double depth_m = 3;
+   */
+  depthM: number;
+
+  /**
+   * -180 to 180
+   *
+   * @generated from field: double heading_deg = 4;
+   */
+  headingDeg: number;
+
+  /**
+   * over ground, 3-D
+   *
+   * @generated from field: double speed_mps = 5;
+   */
+  speedMps: number;
+};
+
+/**
+ * Describes the message bumpless.EndErrors.
+ * Use `create(EndErrorsSchema)` to create a new message.
+ */
+export const EndErrorsSchema: GenMessage<EndErrors> = /*@__PURE__*/
+  messageDesc(file_bumpless, 29);
+
+/**
+ * @generated from message bumpless.Outcome
+ */
+export type Outcome = Message<"bumpless.Outcome"> & {
+  /**
+   * @generated from field: bumpless.Ending ending = 1;
+   */
+  ending: Ending;
+
+  /**
+   * one sentence
+   *
+   * @generated from field: string reason = 2;
+   */
+  reason: string;
+
+  /**
+   * "true" or "believed": what it was judged by
+   *
+   * @generated from field: string basis = 3;
+   */
+  basis: string;
+
+  /**
+   * of the last cycle
+   *
+   * @generated from field: bumpless.Mode mode = 4;
+   */
+  mode: Mode;
+
+  /**
+   * up to the end, all of docked's conditions were met for so long
+   *
+   * @generated from field: double held_s = 5;
+   */
+  heldS: number;
+
+  /**
+   * least distance of the hull's axis from the marker; NaN when none
+   *
+   * @generated from field: double closest_m = 6;
+   */
+  closestM: number;
+
+  /**
+   * mission time of that
+   *
+   * @generated from field: double closest_s = 7;
+   */
+  closestS: number;
+
+  /**
+   * at the end; absent when nobody knows the truth
+   *
+   * @generated from field: bumpless.EndErrors true_errors = 8;
+   */
+  trueErrors?: EndErrors | undefined;
+
+  /**
+   * @generated from field: bumpless.EndErrors believed_errors = 9;
+   */
+  believedErrors?: EndErrors | undefined;
+
+  /**
+   * approaches begun, where the vehicle counts them
+   *
+   * @generated from field: uint32 tries = 10;
+   */
+  tries: number;
+};
+
+/**
+ * Describes the message bumpless.Outcome.
+ * Use `create(OutcomeSchema)` to create a new message.
+ */
+export const OutcomeSchema: GenMessage<Outcome> = /*@__PURE__*/
+  messageDesc(file_bumpless, 30);
 
 /**
  * @generated from message bumpless.Metrics
@@ -1665,6 +1876,44 @@ export type Metrics = Message<"bumpless.Metrics"> & {
    * @generated from field: double solved_ratio = 19;
    */
   solvedRatio: number;
+
+  /**
+   * @generated from field: bumpless.Outcome outcome = 20;
+   */
+  outcome?: Outcome | undefined;
+
+  /**
+   * bound-normalised, from the switch until 15 s after its ramp
+   *
+   * @generated from field: double d_u_fr_settling = 21;
+   */
+  dUFrSettling: number;
+
+  /**
+   * @generated from field: double d_u_rh_settling = 22;
+   */
+  dURhSettling: number;
+
+  /**
+   * mechanical work of the screws by the vehicle's model
+   *
+   * @generated from field: double shaft_energy_j = 23;
+   */
+  shaftEnergyJ: number;
+
+  /**
+   * way of all fins together
+   *
+   * @generated from field: double fin_travel_deg = 24;
+   */
+  finTravelDeg: number;
+
+  /**
+   * changes of a screw's sense of rotation
+   *
+   * @generated from field: uint32 screw_reversals = 25;
+   */
+  screwReversals: number;
 };
 
 /**
@@ -1672,7 +1921,7 @@ export type Metrics = Message<"bumpless.Metrics"> & {
  * Use `create(MetricsSchema)` to create a new message.
  */
 export const MetricsSchema: GenMessage<Metrics> = /*@__PURE__*/
-  messageDesc(file_bumpless, 29);
+  messageDesc(file_bumpless, 31);
 
 /**
  * ---- server to browser --------------------------------------------------------------
@@ -1712,7 +1961,7 @@ export type StreamMessage = Message<"bumpless.StreamMessage"> & {
  * Use `create(StreamMessageSchema)` to create a new message.
  */
 export const StreamMessageSchema: GenMessage<StreamMessage> = /*@__PURE__*/
-  messageDesc(file_bumpless, 30);
+  messageDesc(file_bumpless, 32);
 
 /**
  * One binary WebSocket message: the newest of each topic since the last frame, all events.
@@ -1743,7 +1992,7 @@ export type StreamFrame = Message<"bumpless.StreamFrame"> & {
  * Use `create(StreamFrameSchema)` to create a new message.
  */
 export const StreamFrameSchema: GenMessage<StreamFrame> = /*@__PURE__*/
-  messageDesc(file_bumpless, 31);
+  messageDesc(file_bumpless, 33);
 
 /**
  * @generated from message bumpless.ServerStatus
@@ -1824,7 +2073,7 @@ export type ServerStatus = Message<"bumpless.ServerStatus"> & {
  * Use `create(ServerStatusSchema)` to create a new message.
  */
 export const ServerStatusSchema: GenMessage<ServerStatus> = /*@__PURE__*/
-  messageDesc(file_bumpless, 32);
+  messageDesc(file_bumpless, 34);
 
 /**
  * @generated from enum bumpless.Mode
@@ -2124,6 +2373,71 @@ export const WaveOffReasonSchema: GenEnum<WaveOffReason> = /*@__PURE__*/
   enumDesc(file_bumpless, 5);
 
 /**
+ * How a run ended.
+ *
+ * @generated from enum bumpless.Ending
+ */
+export enum Ending {
+  /**
+   * @generated from enum value: ENDING_UNSPECIFIED = 0;
+   */
+  UNSPECIFIED = 0,
+
+  /**
+   * in H within 0.15 m, 5 deg and 0.05 m/s of the observation point for the last 10 s
+   *
+   * @generated from enum value: ENDING_DOCKED = 1;
+   */
+  DOCKED = 1,
+
+  /**
+   * over in H, but not docked
+   *
+   * @generated from enum value: ENDING_HELD = 2;
+   */
+  HELD = 2,
+
+  /**
+   * the approach was given up for a safe place
+   *
+   * @generated from enum value: ENDING_WAVED_OFF = 3;
+   */
+  WAVED_OFF = 3,
+
+  /**
+   * over before hover was reached
+   *
+   * @generated from enum value: ENDING_TIME_OVER = 4;
+   */
+  TIME_OVER = 4,
+
+  /**
+   * @generated from enum value: ENDING_ABORTED = 5;
+   */
+  ABORTED = 5,
+
+  /**
+   * the hull was in the dock's keep-out disc
+   *
+   * @generated from enum value: ENDING_COLLIDED = 6;
+   */
+  COLLIDED = 6,
+
+  /**
+   * cut off, as far as anybody knows
+   *
+   * @generated from enum value: ENDING_INTERRUPTED = 7;
+   */
+  INTERRUPTED = 7,
+}
+
+/**
+ * Describes the enum bumpless.Ending.
+ */
+export const EndingSchema: GenEnum<Ending> = /*@__PURE__*/
+  enumDesc(file_bumpless, 6);
+
+/**
  * @generated from enum bumpless.LinkState
  */
 export enum LinkState {
@@ -2163,5 +2477,5 @@ export enum LinkState {
  * Describes the enum bumpless.LinkState.
  */
 export const LinkStateSchema: GenEnum<LinkState> = /*@__PURE__*/
-  enumDesc(file_bumpless, 6);
+  enumDesc(file_bumpless, 7);
 

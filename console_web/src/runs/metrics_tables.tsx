@@ -6,12 +6,15 @@ import { type CellProps, Cells } from "../ui/cells";
 import { AlarmIcon, CheckIcon } from "../ui/icons";
 import { ModeLetter } from "../ui/mode_mark";
 import "../ui/table.css";
+import { EndTable } from "./end_table";
 import "./metrics_tables.css";
+import { SwitchesTable } from "./switches_table";
 
 export function MetricsTables({ metrics: m }: { metrics: Metrics }) {
   const violations = m.increment_violations + m.demand_step_violations;
   return (
     <div class="metrics">
+      {m.outcome && <EndTable outcome={m.outcome} />}
       <Cells class="metrics-cells" cells={figures(m)}>
         <div title="Cycles in which a command or the demand stepped farther than allowed: must be 0">
           <dt>Proposition 1</dt>
@@ -25,8 +28,9 @@ export function MetricsTables({ metrics: m }: { metrics: Metrics }) {
           </dd>
         </div>
       </Cells>
-      <Modes metrics={m} />
-      <Switches metrics={m} />
+      <ByMode metrics={m} label="Error about the reference" about={TRACKING_ABOUT} rows={TRACKING_ROWS} />
+      <ByMode metrics={m} label="By mode, RMS about the mean" about={MODE_ABOUT} rows={MODE_ROWS} />
+      <SwitchesTable metrics={m} />
       <Runtime metrics={m} />
     </div>
   );
@@ -37,7 +41,8 @@ function percent(share: number | null): number | null {
 }
 
 function figures(m: Metrics): CellProps[] {
-  const step = "Largest step of the bound-normalised command around";
+  const step = "Largest step of the bound-normalised command within 2 s of the switch";
+  const late = "The same from the switch until 15 s after its ramp's end, or to the next switch";
   return [
     { name: "RMS e_τ", value: fixed(m.residual_rms, 4), about: "RMS ||tau_d − tau_c|| over all cycles" },
     {
@@ -48,6 +53,8 @@ function figures(m: Metrics): CellProps[] {
     },
     { name: "d_u F→R", value: fixed(m.d_u_fr, 4), unit: "of bound", about: `${step} F to R` },
     { name: "d_u R→H", value: fixed(m.d_u_rh, 4), unit: "of bound", about: `${step} R to H` },
+    { name: "d_u F→R, settling", value: fixed(m.d_u_fr_settling, 4), unit: "of bound", about: late },
+    { name: "d_u R→H, settling", value: fixed(m.d_u_rh_settling, 4), unit: "of bound", about: late },
     {
       name: "Final range",
       value: fixed(m.final_range_m, 2),
@@ -61,6 +68,23 @@ function figures(m: Metrics): CellProps[] {
       about: `${m.cycles} control cycles in the log, ${m.missing_cycles} missing`,
     },
     {
+      name: "Shaft energy",
+      value: fixed(m.shaft_energy_j, 1),
+      unit: "J",
+      about: "Torque times speed of every screw, by the vehicle's model; nothing comes back",
+    },
+    {
+      name: "Fin travel",
+      value: fixed(m.fin_travel_deg, 0),
+      unit: "°",
+      about: "Way of all fins together, as measured",
+    },
+    {
+      name: "Reversals",
+      value: fixed(m.screw_reversals, 0),
+      about: "Changes of a screw's sense of rotation; below 2 % of its largest speed it has none",
+    },
+    {
       name: "Solved",
       value: fixed(percent(m.solved_ratio), 1),
       unit: "%",
@@ -69,7 +93,30 @@ function figures(m: Metrics): CellProps[] {
   ];
 }
 
-const MODE_ROWS: { name: string; unit: string; of: (m: ModeMetrics) => string }[] = [
+interface ModeRow {
+  name: string;
+  unit: string;
+  of: (m: ModeMetrics) => string;
+}
+
+const both = (rms: number | null, worst: number | null, decimals: number): string =>
+  `${fixed(rms, decimals)} / ${fixed(worst, decimals)}`;
+
+const TRACKING_ABOUT = "Believed state minus reference: RMS about zero, and the largest magnitude";
+const TRACKING_ROWS: ModeRow[] = [
+  { name: "Depth", unit: "m", of: (m) => both(m.depth_error_rms_m, m.depth_error_max_m, 3) },
+  {
+    name: "Cross-track",
+    unit: "m",
+    of: (m) => both(m.cross_track_error_rms_m, m.cross_track_error_max_m, 3),
+  },
+  { name: "Heading", unit: "°", of: (m) => both(m.heading_error_rms_deg, m.heading_error_max_deg, 2) },
+  { name: "Surge speed", unit: "m/s", of: (m) => both(m.speed_error_rms_mps, m.speed_error_max_mps, 3) },
+];
+
+const MODE_ABOUT =
+  "The paper's figures: RMS about the mean of each stay in the mode, not about the reference";
+const MODE_ROWS: ModeRow[] = [
   { name: "Duration", unit: "s", of: (m) => fixed(m.duration_s, 1) },
   { name: "Mean surge speed", unit: "m/s", of: (m) => fixed(m.surge_speed_mean_mps, 3) },
   { name: "Depth RMS", unit: "m", of: (m) => fixed(m.depth_rms_m, 3) },
@@ -80,13 +127,23 @@ const MODE_ROWS: { name: string; unit: string; of: (m: ModeMetrics) => string }[
   { name: "Residual RMS", unit: "", of: (m) => fixed(m.residual_rms, 4) },
 ];
 
-function Modes({ metrics }: { metrics: Metrics }) {
+function ByMode({
+  metrics,
+  label,
+  about,
+  rows,
+}: {
+  metrics: Metrics;
+  label: string;
+  about: string;
+  rows: ModeRow[];
+}) {
   if (!metrics.modes.length) return null;
   return (
-    <table class="table compact" aria-label="By mode">
+    <table class="table compact" aria-label={label} title={about}>
       <thead>
         <tr>
-          <th scope="col">By mode</th>
+          <th scope="col">{label}</th>
           {metrics.modes.map(({ mode }, index) => (
             <th key={index} scope="col" class="num">
               <ModeLetter mode={modeNamed(mode)} /> {modeNamed(mode).name}
@@ -95,7 +152,7 @@ function Modes({ metrics }: { metrics: Metrics }) {
         </tr>
       </thead>
       <tbody>
-        {MODE_ROWS.map(({ name, unit, of }) => (
+        {rows.map(({ name, unit, of }) => (
           <tr key={name}>
             <th scope="row">
               {name} <span class="unit">{unit}</span>
@@ -105,40 +162,6 @@ function Modes({ metrics }: { metrics: Metrics }) {
                 {of(mode)}
               </td>
             ))}
-          </tr>
-        ))}
-      </tbody>
-    </table>
-  );
-}
-
-function Switches({ metrics }: { metrics: Metrics }) {
-  if (!metrics.switches.length) return <p class="hint">No mode switch in this run.</p>;
-  return (
-    <table class="table compact" aria-label="Switches">
-      <thead>
-        <tr>
-          <th scope="col">Switch</th>
-          <th scope="col" class="num">
-            at, s
-          </th>
-          <th scope="col" class="num">
-            step, of bound
-          </th>
-          <th scope="col" class="num">
-            step, °/rpm mixed
-          </th>
-        </tr>
-      </thead>
-      <tbody>
-        {metrics.switches.map((s, index) => (
-          <tr key={index}>
-            <th scope="row">
-              <ModeLetter mode={modeNamed(s.from_mode)} /> → <ModeLetter mode={modeNamed(s.to_mode)} />
-            </th>
-            <td class="num">{fixed(s.time_s, 2)}</td>
-            <td class="num">{fixed(s.command_step_normalised, 4)}</td>
-            <td class="num">{fixed(s.command_step_raw, 2)}</td>
           </tr>
         ))}
       </tbody>

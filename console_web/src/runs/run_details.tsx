@@ -12,7 +12,8 @@ import { Empty, Panel } from "../ui/panel";
 import { RefusalNotice } from "../ui/refusal";
 import "../ui/facts.css";
 import { MetricsTables } from "./metrics_tables";
-import { RunState, useNow } from "./run_state";
+import { OutcomeChip } from "./outcome";
+import { useNow } from "./run_now";
 import "./run_details.css";
 
 /** Asked for once the run has ended: until then there are none. */
@@ -42,7 +43,7 @@ export function RunDetails({ run }: { run: RunSummary }) {
         class="run-about"
         aside={
           <>
-            <RunState state={run.state} />
+            <OutcomeChip run={run} />
             <a
               class="action"
               href={address("/api/runs/{run}/log.mcap", { run: run.id })}
@@ -73,7 +74,9 @@ export function RunDetails({ run }: { run: RunSummary }) {
           </div>
           <div>
             <dt>Ended</dt>
-            <dd>{run.state === "recording" ? "still flying" : run.end_reason || "–"}</dd>
+            <dd class="sentence">
+              {run.state === "recording" ? "still flying" : run.outcome_reason || run.end_reason || "–"}
+            </dd>
           </div>
         </dl>
       </Panel>

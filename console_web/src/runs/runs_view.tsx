@@ -9,8 +9,9 @@ import { DownloadIcon } from "../ui/icons";
 import { Main } from "../ui/main";
 import { Empty, Panel } from "../ui/panel";
 import "../ui/table.css";
+import { OutcomeChip } from "./outcome";
 import { RunDetails } from "./run_details";
-import { RunState, useNow } from "./run_state";
+import { useNow } from "./run_now";
 import "./runs_view.css";
 
 export function RunsView() {
@@ -30,7 +31,7 @@ export function RunsView() {
           <table class="table">
             <thead>
               <tr>
-                <th scope="col">State</th>
+                <th scope="col">Outcome</th>
                 <th scope="col">Mission</th>
                 <th scope="col" class="num">
                   Started
@@ -77,7 +78,7 @@ function Row({ run, chosen, onChoose }: { run: RunSummary; chosen: boolean; onCh
   return (
     <tr data-chosen={chosen ? "yes" : undefined} onClick={onChoose}>
       <td>
-        <RunState state={run.state} />
+        <OutcomeChip run={run} />
       </td>
       <td>
         <button type="button" class="link" aria-pressed={chosen} title={run.id} onClick={onChoose}>

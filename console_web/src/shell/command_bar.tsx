@@ -2,10 +2,11 @@
 // apart at the far end and wants to be held.
 import { useRef } from "preact/hooks";
 import { missions } from "../api/resources";
-import { MissionPhase } from "../gen/bumpless_pb";
+import { type Event, MissionPhase } from "../gen/bumpless_pb";
 import { clock } from "../lib/format";
 import { flying, link, PHASES, phase } from "../stream/link";
 import { live } from "../stream/store";
+import { endingNamed } from "../ui/endings";
 import { HoldButton } from "../ui/hold_button";
 import { PauseIcon, PlayIcon, StopIcon } from "../ui/icons";
 import { useKeptFocus } from "../ui/keep_focus";
@@ -16,7 +17,7 @@ import { busy, chosen, command, mission, notice, seed, startChosen } from "./com
 const PHASE_LOOKS: Partial<Record<MissionPhase, string>> = {
   [MissionPhase.RUNNING]: "running",
   [MissionPhase.PAUSED]: "paused",
-  [MissionPhase.COMPLETED]: "completed",
+  [MissionPhase.COMPLETED]: "idle",
   [MissionPhase.ABORTED]: "aborted",
 };
 
@@ -75,17 +76,32 @@ function Refused() {
   );
 }
 
+/** The server's judgement of the run that has just ended, once it has come. */
+function judged(runId: string | undefined): Event | undefined {
+  if (flying.value || !runId) return undefined;
+  return live.events.find(({ code, details }) => code === "outcome" && details.run?.startsWith(runId));
+}
+
 function Progress() {
   const status = live.latest("tlm/mission");
+  const outcome = judged(status?.runId);
+  const ending = endingNamed(outcome?.details.ending);
+  const ended = outcome?.text ?? status?.endReason;
   return (
     <div class="mission-now" data-state={live.isFresh("tlm/mission") ? "fresh" : "stale"}>
       <span
         class="chip phase"
-        data-look={PHASE_LOOKS[phase.value] ?? "idle"}
+        data-look={ending?.look ?? PHASE_LOOKS[phase.value] ?? "idle"}
         role="status"
         aria-label="Mission phase"
       >
-        {PHASES[phase.value]}
+        {ending ? (
+          <>
+            <ending.Icon size={11} /> {ending.word}
+          </>
+        ) : (
+          PHASES[phase.value]
+        )}
       </span>
       {!status?.missionName && (
         <span class="muted">
@@ -102,9 +118,9 @@ function Progress() {
       {status?.missionName && flying.value && (
         <Elapsed elapsedS={status.elapsedS} durationS={status.durationS} />
       )}
-      {status?.missionName && !flying.value && status.endReason && (
-        <span class="muted ellipsis" title={status.endReason}>
-          {status.endReason}
+      {status?.missionName && !flying.value && ended && (
+        <span class="muted ellipsis" title={ended}>
+          {ended}
         </span>
       )}
     </div>

@@ -43,7 +43,7 @@ export const PHASES: Record<MissionPhase, string> = {
   [MissionPhase.IDLE]: "Idle",
   [MissionPhase.RUNNING]: "Running",
   [MissionPhase.PAUSED]: "Paused",
-  [MissionPhase.COMPLETED]: "Completed",
+  [MissionPhase.COMPLETED]: "Over",
   [MissionPhase.ABORTED]: "Aborted",
 };
 

@@ -6,8 +6,9 @@ import { fromBinary } from "@bufbuild/protobuf";
 import { batch, computed, type ReadonlySignal, type Signal, signal } from "@preact/signals";
 import { type Event, EventSchema, StreamFrameSchema } from "../gen/bumpless_pb";
 import { FRESH_FOR_S } from "../gen/house";
+import { SCHEMAS } from "../gen/topics";
 import { EventLog } from "./event_log";
-import { isTopic, type MessageOf, SCHEMAS, type TopicName } from "./topics";
+import { isTopic, type MessageOf, type TopicName } from "./topics";
 
 interface Sample {
   message: unknown;

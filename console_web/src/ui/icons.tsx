@@ -61,4 +61,10 @@ export const SunIcon = icon(
 export const MoonIcon = icon(<path d="M13.5 9.6A6 6 0 0 1 6.4 2.5a6 6 0 1 0 7.1 7.1Z" />);
 export const TriangleIcon = icon(<path d="M8 2.5 14.5 13h-13Z" />, true);
 export const DiamondIcon = icon(<path d="M8 1.8 14.2 8 8 14.2 1.8 8Z" />);
+export const ClockIcon = icon(
+  <>
+    <circle cx="8" cy="8" r="6" />
+    <path d="M8 4.6V8l2.4 1.6" />
+  </>,
+);
 export const RefreshIcon = icon(<path d="M13.2 8A5.2 5.2 0 1 1 11.6 4.2M13.4 2v3h-3" />);

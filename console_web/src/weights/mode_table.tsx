@@ -5,6 +5,7 @@ import { axisUnit, WRENCH_AXES } from "../lib/wrench";
 import { ModeLetter } from "../ui/mode_mark";
 import { NumberField } from "./field";
 import "./mode_table.css";
+import { otherNumbers } from "./ranges";
 
 interface Row {
   key: string;
@@ -52,6 +53,10 @@ function blocks(): Block[] {
       integer: true,
     },
   ];
+  const named = ["lambda", "ramp_cycles"];
+  for (const { path, label, unit } of otherNumbers("forward", named)) {
+    rest.push({ key: path.split(".")[1] as string, name: label, unit, about: label });
+  }
   return [
     { title: "Q", about: "wrench error", rows: q },
     { title: "R", about: "commands", rows: r },

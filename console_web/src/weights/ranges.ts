@@ -18,3 +18,12 @@ export function isOutside(path: string, value: number): boolean {
   const range = rangeOf(path);
   return Boolean(range) && !(value >= (range as Range).min && value <= (range as Range).max);
 }
+
+/** Numbers of a section that may change in flight and that no list below names, so that none is out of reach. */
+export function otherNumbers(section: string, named: readonly string[]): Range[] {
+  const all = parameterRanges.value?.ranges ?? [];
+  return all.filter(({ path, count }) => {
+    const [where, key] = path.split(".") as [string, string];
+    return where === section && count === 0 && !named.includes(key);
+  });
+}

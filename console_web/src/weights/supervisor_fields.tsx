@@ -1,5 +1,6 @@
 // When modes switch, how detection is filtered, and which bumpless mechanisms act.
 import { NumberField, SwitchField } from "./field";
+import { otherNumbers } from "./ranges";
 import "./supervisor_fields.css";
 
 interface Entry {
@@ -60,12 +61,24 @@ function Entries({ entries }: { entries: Entry[] }) {
               <Letters text={about} />
             </span>
           </span>
-          <NumberField path={`supervisor.${key}`} name={`${name} (${about})`} integer={integer} />
+          <NumberField
+            path={`supervisor.${key}`}
+            name={about ? `${name} (${about})` : name}
+            integer={integer}
+          />
           <span class="unit">{unit}</span>
         </div>
       ))}
     </div>
   );
+}
+
+/** What is declared and has no line above. */
+function others(): Entry[] {
+  const named = [...RANGES, ...COUNTS].map(({ key }) => key);
+  return otherNumbers("supervisor", named).map(({ path, label, unit }) => {
+    return { key: path.split(".")[1] as string, name: label, about: "", unit: unit === "1" ? "" : unit };
+  });
 }
 
 export function SupervisorFields() {
@@ -74,7 +87,7 @@ export function SupervisorFields() {
       <p class="hint">Ranges to the observation point; they must ascend in this order.</p>
       <Entries entries={RANGES} />
       <hr />
-      <Entries entries={COUNTS} />
+      <Entries entries={[...COUNTS, ...others()]} />
     </>
   );
 }

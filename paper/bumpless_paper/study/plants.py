@@ -1,12 +1,13 @@
 """The plants on which a claim must hold: a stated distribution, drawn by number.
 
-`DISTRIBUTION` is the statement; `draw(i)` gives plant i, always the same. A `Plant` changes the true
-vehicle and its sea; the autopilot flies every plant with one set of parameters and one nominal model, and
-is told no more than where it starts and, in S6, the fault. Source of the ranges: issue "True", "Not at
-one lucky point"; the ends of trim, buoyancy, lag and fault are ours. `thrust` and `fin_lift`, which the
-allocator would have to know, are fields of a Plant but not drawn.
+`DISTRIBUTION` and the wider `WIDE` are the statements; `draw(i)` gives plant i, always the same. A `Plant`
+changes the true vehicle and its sea; the autopilot flies every plant with one set of parameters and one
+nominal model, and is told no more than where it starts and, in S6, the fault. Source of the ranges: issue
+"True", "Not at one lucky point"; the ends of trim, buoyancy, lag and fault are ours, and so are those that
+only WIDE draws. What the allocator would have to know, `thrust` and `fin_lift`, is among these.
 """
 
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from typing import Any
 
@@ -46,6 +47,18 @@ DISTRIBUTION: dict[str, Spread] = {
     "fault_effectiveness": Spread(0.2, 0.7, "1", "what the fault leaves of the propeller"),
 }
 
+# A second distribution, beside the first so that published goals stay comparable: the allocator's own map is
+# never exact on these plants, and the sensors have an offset.
+WIDE: dict[str, Spread] = DISTRIBUTION | {
+    "fin_slew": Spread(0.3, 1.5, "1", "factor on the fins' fastest deflection", logarithmic=True),
+    "fin_lift": Spread(
+        0.5, 1.1, "1", "factor on the fins' lift; thin-wing theory for their aspect ratio: 0.5"
+    ),
+    "thrust": Spread(0.8, 1.15, "1", "factor on every screw's thrust, forwards, backwards and with inflow"),
+    "heading_bias": Spread(-0.0175, 0.0175, "rad", "offset of the compass; 1 deg"),
+    "depth_bias": Spread(-0.05, 0.05, "m", "offset of the depth sensor"),
+}
+
 
 @dataclass(frozen=True)
 class Plant:
@@ -66,6 +79,9 @@ class Plant:
     fault_actuator: int | None = None  # another than the mission's
     thrust: float = 1.0
     fin_lift: float = 1.0
+    fin_slew: float = 1.0
+    heading_bias: float = 0.0
+    depth_bias: float = 0.0
 
     def __call__(self, model: Any, truth: Any) -> None:
         """Change the records of the true plant and of the flight's truth in place."""
@@ -91,6 +107,9 @@ class Plant:
             fin_lift=self.fin_lift,
             thrust=self.thrust,
         )(model, truth)
+        model["command_rate"][model["C_La"] > 0.0] *= self.fin_slew
+        truth["errors"]["heading_bias"] += self.heading_bias / self.noise
+        truth["errors"]["depth_bias"] += self.depth_bias / self.noise
 
     def _start_in_trim(self, truth: Any) -> None:
         """Start along the first leg, the bow already turned into the current that crosses it."""
@@ -105,10 +124,13 @@ class Plant:
 NOMINAL = Plant()
 
 
-def draw(number: int) -> Plant:
-    """Plant `number` of the distribution: independent uniform shares from its own random stream."""
-    shares = np.random.Generator(np.random.PCG64([20260514, number])).random(len(DISTRIBUTION))
+def draw(number: int, spreads: Mapping[str, Spread] = DISTRIBUTION) -> Plant:
+    """Plant `number` of a distribution: independent uniform shares from its own random stream.
+
+    What both distributions name is drawn alike: WIDE's plant i is DISTRIBUTION's, and more.
+    """
+    shares = np.random.Generator(np.random.PCG64([20260514, number])).random(len(spreads))
     values: dict[str, Any] = {
-        name: spread.at(float(x)) for (name, spread), x in zip(DISTRIBUTION.items(), shares, strict=True)
+        name: spread.at(float(x)) for (name, spread), x in zip(spreads.items(), shares, strict=True)
     }
     return Plant(number=number, **values)

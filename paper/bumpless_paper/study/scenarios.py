@@ -153,6 +153,24 @@ VARIANTS: dict[str, Scenario] = {
     )
 }
 
+# The full table of allocator and ramp: everything else is shared. S1 knows its inflow here; without it S1's
+# thrust map lacks a term that every other allocator has.
+_IN_FLOW = _allocator("pid_direct", direct_map="thrust_in_flow")
+HONEST: dict[str, Scenario] = {
+    s.name: s
+    for s in (
+        _variant("S1", "S1-flow", "PID direct, inflow known, hard", _IN_FLOW),
+        replace(
+            SCENARIOS["S4"], name="S1-flow-ramp", title="PID direct, inflow known, ramp", overrides=_IN_FLOW
+        ),
+        replace(SCENARIOS["S2"], name="S2", title="WLS, hard"),
+        replace(SCENARIOS["S4"], name="S2-ramp", title="WLS, ramp", overrides=_allocator("wls")),
+        replace(SCENARIOS["S3"], name="S3", title="MD-CA, hard (S3)"),
+        _variant("S4", "S4-no-ramp", "MD-CA, S4 without its ramp", {"bumpless": {"ramp": False}}),
+        replace(SCENARIOS["S4"], name="S4", title="MD-CA, ramp (S4)"),
+    )
+}
+
 REFERENCE = """\
 start:
   position_ned_m: [0, 0, 2.0]

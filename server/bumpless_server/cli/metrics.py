@@ -19,8 +19,10 @@ def metrics(
 
     need("log", "mcap")
     try:
-        found = bumpless.open_run(log).metrics
+        run = bumpless.open_run(log)
+        found, outcome = run.metrics, run.outcome
     except ValueError as error:
         typer.echo(f"{log}: {error}", err=True)
         raise typer.Exit(1) from error
-    typer.echo(json.dumps(as_dict(found), indent=2) if as_json else metrics_text(found))
+    text = f"{outcome.sentence}\n\n{metrics_text(found)}"
+    typer.echo(json.dumps(as_dict(found), indent=2) if as_json else text)

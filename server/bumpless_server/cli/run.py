@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from bumpless.contract.exits import BROKEN, NOT_AS_REQUIRED, REFUSED
+
 if TYPE_CHECKING:
     from bumpless import Problem, Run
     from bumpless.campaign.replay import Replay
     from bumpless.metrics import Columns
-
-REFUSED, BROKEN = 1, 3
 
 
 def run(
@@ -32,14 +32,19 @@ def run(
     draw: Annotated[
         int | None, typer.Option(min=0, help="The file is a campaign: fly this number of it.")
     ] = None,
+    require: Annotated[
+        str | None,
+        typer.Option(help="Outcomes that will do, such as docked or docked,held; any other is exit code 4."),
+    ] = None,
 ) -> None:
     """Fly a mission as fast as the machine can.
 
-    Prints its metrics and writes its log.
+    Prints how it ended and its metrics, and writes its log.
 
-    Exit codes: 0 flown, 1 mission or parameters refused or the log cannot be written, 2 wrong usage,
-    3 the simulation broke down.
+    Exit codes: 0 flown (and ended as required), 1 mission or parameters refused or the log cannot be written,
+    2 wrong usage, 3 the simulation broke down, 4 flown, but the outcome is not one that --require names.
     """
+    wanted = _wanted(require)
     import bumpless
     from bumpless_server.cli.extras import need
     from bumpless_server.cli.progress import Progress
@@ -73,6 +78,25 @@ def run(
     if not _finite(result.columns):
         typer.echo("the simulation broke down: a state is not finite", err=True)
         raise typer.Exit(BROKEN)
+    if wanted and result.outcome.ending not in wanted:
+        often = " or ".join(ending.replace("_", " ") for ending in wanted)
+        typer.echo(f"required: {often}; the run ended {result.outcome.ending.words}", err=True)
+        raise typer.Exit(NOT_AS_REQUIRED)
+
+
+def _wanted(require: str | None) -> list[str]:
+    """The endings that `--require` names; none asked for, none required."""
+    if require is None:
+        return []
+    from bumpless import Ending
+
+    known = [ending.value for ending in Ending]
+    named = [word.strip().replace(" ", "_").replace("-", "_") for word in require.split(",")]
+    strange = [word for word in named if word not in known]
+    if strange:
+        said = f"{strange[0]!r}: must be one or more of {', '.join(known)}"
+        raise typer.BadParameter(said, param_hint="--require")
+    return named
 
 
 def _drawn(path: Path, number: int, changes: dict[str, dict[str, Any]]) -> "Replay":
@@ -154,6 +178,6 @@ def _text(result: "Run", summary: dict[str, Any]) -> str:
         f"{summary['simulated_s']:.1f} s flown in {summary['wall_s']:.3f} s, "
         f"{summary['real_time_factor']:.0f} times real time"
     )
-    outcome = f"{result.outcome.ending}: {result.outcome.reason}"
+    outcome = result.outcome.sentence
     tail = f"\n\nlog: {summary['log']}" if summary["log"] else ""
     return f"{head}\n{outcome}\n\n{metrics_text(result.metrics)}{tail}"

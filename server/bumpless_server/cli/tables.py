@@ -25,13 +25,18 @@ def number(value: float, digits: int = 4) -> str:
 
 
 def metrics_text(m: "pb.Metrics") -> str:
-    """All figures of a run in three small tables."""
+    """All figures of a run in small tables: how it ended first."""
     figures = [
+        ["shaft energy (J)", number(m.shaft_energy_j)],
+        ["fin travel (°)", number(m.fin_travel_deg)],
+        ["reversals of screws", str(m.screw_reversals)],
         ["RMS e_tau, model (N, N·m)", number(m.residual_rms)],
         ["RMS e_tau, true wrench", number(m.residual_rms_true)],
         ["r_sat, cycles with a command at its bound", f"{m.saturation_ratio:.1%}"],
-        ["d_u F→R, commands over their bounds", number(m.d_u_fr)],
-        ["d_u R→H, commands over their bounds", number(m.d_u_rh)],
+        ["d_u F→R, within 2 s of the switch, over bounds", number(m.d_u_fr)],
+        ["d_u F→R, from the switch to the ramp's end + 15 s", number(m.d_u_fr_settling)],
+        ["d_u R→H, within 2 s of the switch, over bounds", number(m.d_u_rh)],
+        ["d_u R→H, from the switch to the ramp's end + 15 s", number(m.d_u_rh_settling)],
         ["final range (m)", number(m.final_range_m)],
         ["allocation mean / p95 / max (µs)", _times(m)],
         ["allocation within tolerance", f"{m.solved_ratio:.1%}"],
@@ -40,11 +45,12 @@ def metrics_text(m: "pb.Metrics") -> str:
     ]
     if m.missing_cycles:
         figures.append(["cycles missing in the log", str(m.missing_cycles)])
-    parts = [table(["figure", "value"], figures)]
+    parts = [_end(m.outcome)] if m.HasField("outcome") else []
+    parts.append(table(["figure", "value"], figures))
     if m.switches:
         parts.append(_switches(m))
     if m.modes:
-        parts.append(_modes(m))
+        parts += [_tracking(m), _modes(m)]
     return "\n\n".join(parts)
 
 
@@ -62,10 +68,52 @@ def _switches(m: "pb.Metrics") -> str:
             f"{s.time_s:.2f}",
             number(s.command_step_normalised),
             number(s.command_step_raw),
+            f"{s.settling_s:.1f}",
+            number(s.command_step_settling),
+            number(s.force_step_n, 3),
+            number(s.moment_step_nm, 3),
+            number(s.acceleration_step_mps2, 3),
+            number(s.angular_acceleration_step_degps2, 3),
         ]
         for s in m.switches
     ]
-    return table(["switch", "at (s)", "d_u over bounds", "d_u in deg and rpm"], rows)
+    head = ["switch", "at s", "±2 s: d_u", "° and rpm", "settling s", "d_u", "true N", "N·m", "m/s²", "°/s²"]
+    return table(head, rows)
+
+
+def _end(outcome: "pb.Outcome") -> str:
+    """True and believed errors of the last cycle."""
+    rows = []
+    for name, known in (("true", outcome.HasField("true_errors")), ("believed", True)):
+        e = getattr(outcome, f"{name}_errors")
+        values = (e.position_m, e.horizontal_m, e.depth_m, e.heading_deg, e.speed_mps)
+        rows.append([name, *(number(value, 3) if known else "-" for value in values)])
+    head = ["at the end", "position m", "horizontal m", "depth m", "heading °", "speed m/s"]
+    near = f"closest approach of the hull to the marker (m): {number(outcome.closest_m, 3)}"
+    return f"{table(head, rows)}\n  {near}, {number(outcome.closest_s, 3)} s after the start"
+
+
+def _tracking(m: "pb.Metrics") -> str:
+    """Errors about the references: RMS and worst."""
+    from bumpless.contract.modes import LOOKS
+
+    rows = [
+        [
+            LOOKS[mode.mode].letter,
+            *(
+                f"{number(rms, 2)} / {number(worst, 2)}"
+                for rms, worst in (
+                    (mode.depth_error_rms_m, mode.depth_error_max_m),
+                    (mode.cross_track_error_rms_m, mode.cross_track_error_max_m),
+                    (mode.heading_error_rms_deg, mode.heading_error_max_deg),
+                    (mode.speed_error_rms_mps, mode.speed_error_max_mps),
+                )
+            ),
+        ]
+        for mode in m.modes
+    ]
+    head = ["error about the reference, RMS / worst", "depth m", "cross-track m", "heading °", "speed m/s"]
+    return table(head, rows)
 
 
 def _modes(m: "pb.Metrics") -> str:
@@ -85,5 +133,6 @@ def _modes(m: "pb.Metrics") -> str:
         ]
         for mode in m.modes
     ]
-    head = ["mode", "s", "speed m/s", "depth RMS m", "p-p m", "roll RMS °", "pitch °", "yaw °", "RMS e_tau"]
+    head = ["about the mean", "s", "speed m/s", "depth RMS m", "p-p m", "roll RMS °", "pitch °", "yaw °"]
+    head.append("RMS e_tau")
     return table(head, rows)

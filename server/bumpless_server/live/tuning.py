@@ -14,13 +14,6 @@ class TuningError(ProblemsError):
     """Parameters that are refused, with every problem found."""
 
 
-def as_json(message: pb.Parameters) -> dict[str, Any]:
-    """Parameters as JSON with proto names, zeros and False included."""
-    return json_format.MessageToDict(
-        message, preserving_proto_field_name=True, always_print_fields_with_no_presence=True
-    )
-
-
 def ranges() -> list[dict[str, Any]]:
     """What each live-tunable number may be, for the screen."""
     return [

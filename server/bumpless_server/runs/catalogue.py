@@ -24,11 +24,11 @@ from bumpless.runs.summary import RunSummary, summarise
 
 log = logging.getLogger(__name__)
 
-LAYOUT = 1  # grows when the table changes: an older index is then built anew
+LAYOUT = 2  # grows when the table changes: an older index is then built anew
 _TABLE = """CREATE TABLE runs (
     id TEXT PRIMARY KEY, run_id TEXT, mission TEXT, mission_sha256 TEXT, vehicle TEXT, started_ns INTEGER,
-    duration_s REAL, state TEXT, end_reason TEXT, messages INTEGER, dropped INTEGER, metrics TEXT,
-    bytes INTEGER, modified_ns INTEGER)"""
+    duration_s REAL, state TEXT, end_reason TEXT, messages INTEGER, dropped INTEGER, outcome TEXT,
+    outcome_reason TEXT, metrics TEXT, bytes INTEGER, modified_ns INTEGER)"""
 
 
 @dataclass(frozen=True)
@@ -100,7 +100,7 @@ class Catalogue:
         found = path.stat()
         summary = summarise(path)
         if summary.metrics is None and summary.end_reason == CUT_OFF:
-            summary = replace(summary, metrics=_metrics(path))
+            summary = _judged(summary, path)
         values = asdict(summary) | {"bytes": found.st_size, "modified_ns": found.st_mtime_ns}
         values["metrics"] = json.dumps(summary.metrics) if summary.metrics is not None else None
         names = ", ".join(values)
@@ -167,15 +167,17 @@ def _row(row: sqlite3.Row) -> Row:
     return Row(RunSummary(**values), row["bytes"], row["modified_ns"])
 
 
-def _metrics(path: Path) -> dict[str, Any] | None:
-    """Figures of a run that lost its end; None without. It is worth listing without them."""
+def _judged(summary: RunSummary, path: Path) -> RunSummary:
+    """With the figures of a run that lost its end, where it has some. It is worth listing without them."""
     try:
-        return as_dict(bumpless.open_run(path).metrics)
+        run = bumpless.open_run(path)
+        metrics, outcome = as_dict(run.metrics), run.outcome
     except NoFigures:
-        return None
+        return summary
     except Exception:
         log.exception("the metrics of %s could not be computed", path)
-        return None
+        return summary
+    return replace(summary, metrics=metrics, outcome=outcome.ending.value, outcome_reason=outcome.reason)
 
 
 def _repaired(path: Path) -> bool:

@@ -259,6 +259,9 @@ class Recorder:
             self._closed(run.path)
             self._run = None  # only now: a run is always either being recorded or in the catalogue
         log.info("closed %s (%s: %s)", run.path, state, reason)
+        if run.outcome is not None:
+            told = run.outcome
+            self._say(told.severity, told.code, told.text, {**told.details, "run": run.id})
 
     def _period_s(self) -> float:
         description = self._context.get(DESCRIPTION)

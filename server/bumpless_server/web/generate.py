@@ -1,7 +1,8 @@
 """What the console takes over from the server: `python -m bumpless_server.web.generate FOLDER OPENAPI`.
 
-Writes house.ts (views, modes, rates) and modes.css into the folder, and the interface as the file OPENAPI,
-from which TypeScript types are made. `make gen` calls it; `make check` fails while committed files differ.
+Writes house.ts (views, modes, rates), topics.ts (topics and their messages) and modes.css into the folder,
+and the interface as the file OPENAPI, from which TypeScript types are made. `make gen` calls it; `make check`
+fails while committed files differ.
 """
 
 import json
@@ -12,7 +13,9 @@ from typing import Any
 from fastapi import FastAPI
 
 from bumpless.contract import bumpless_pb2 as pb
+from bumpless.contract.keys import TOPICS
 from bumpless.contract.modes import MODES
+from bumpless_server.live.sample import STATUS
 from bumpless_server.scene.cameras import Cameras
 from bumpless_server.scene.proxy import Proxy
 from bumpless_server.web.app import ROUTERS
@@ -48,6 +51,14 @@ def house_ts() -> str:
     return "\n".join(lines) + "\n"
 
 
+def topics_ts() -> str:
+    """Each topic of the stream with the decoder of its message."""
+    kinds = {f"tlm/{topic.name}": topic.message for topic in TOPICS.values()} | {STATUS: pb.ServerStatus}
+    rows = [f'  "{name}": pb.{kind.__name__}Schema,' for name, kind in kinds.items()]
+    head = [f"// {FROM}", 'import * as pb from "./bumpless_pb";', "export const SCHEMAS = {"]
+    return "\n".join([*head, *rows, "};"]) + "\n"
+
+
 def modes_css() -> str:
     """The modes' colours as custom properties."""
     lines = [f"  --mode-{look.key}: {look.colour};" for look in MODES]
@@ -56,11 +67,12 @@ def modes_css() -> str:
 
 
 def main() -> None:
-    """Write all three files."""
+    """Write all four files."""
     folder, openapi = map(Path, sys.argv[1:])
     openapi.parent.mkdir(parents=True, exist_ok=True)
     openapi.write_text(json.dumps(interface(), indent=1, sort_keys=True, ensure_ascii=False))
     (folder / "house.ts").write_text(house_ts())
+    (folder / "topics.ts").write_text(topics_ts())
     (folder / "modes.css").write_text(modes_css())
 
 

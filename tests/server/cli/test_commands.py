@@ -9,6 +9,7 @@ import pytest
 from typer.testing import CliRunner
 
 from bumpless import open_run
+from bumpless.contract.exits import NOT_AS_REQUIRED
 from bumpless.metrics import as_dict
 from bumpless.runs.summary import summarise
 from bumpless_server.cli.main import app
@@ -68,6 +69,19 @@ def test_run_prints_json_and_writes_a_log(short: Path, tmp_path: Path) -> None:
     assert (summary.run_id, summary.state) == (result["run_id"], "complete")
     assert summary.metrics == result["metrics"]
     assert not list(tmp_path.glob("*.part"))
+
+
+def test_a_required_outcome_is_the_exit_code(short: Path, tmp_path: Path) -> None:
+    """Protects: a script that flies learns from the code whether it docked; the log is written anyway."""
+    out = tmp_path / "short.mcap"
+    said, error = bumpless("run", short, "--out", out, "--require", "docked, held", code=NOT_AS_REQUIRED)
+    assert said.splitlines()[1].startswith("Time over: the time was over before hover, truly ")
+    assert "required: docked or held; the run ended time over" in error
+    assert summarise(out).outcome == "time_over" and "before hover" in summarise(out).outcome_reason
+    bumpless("run", short, "--require", "time_over")
+    _, error = bumpless("run", short, "--require", "landed", code=2)
+    assert "docked, held, waved_off, time_over, aborted, collided, interrupted" in "".join(error.split("\n"))
+    assert bumpless("metrics", out)[0].startswith("Time over: ")
 
 
 def test_the_same_seed_flies_the_same_flight(short: Path) -> None:

@@ -6,7 +6,9 @@ from dataclasses import replace
 from typing import Any
 
 from bumpless.config.mission import Mission
-from bumpless.config.mission.model import CurrentVariation, Detection, Environment, Fault, Outage, Wave
+from bumpless.config.mission.model import Environment, Fault
+from bumpless.config.mission.sea import CurrentVariation, Wave
+from bumpless.config.mission.sensing import Detection, Outage
 from bumpless.config.vehicle import Vehicle
 
 Values = Mapping[str, Any]

@@ -62,6 +62,17 @@ class WaveOffReason(int, metaclass=_enum_type_wrapper.EnumTypeWrapper):
     WAVE_OFF_REASON_CURRENT: _ClassVar[WaveOffReason]
     WAVE_OFF_REASON_TIME_OVER: _ClassVar[WaveOffReason]
 
+class Ending(int, metaclass=_enum_type_wrapper.EnumTypeWrapper):
+    __slots__ = ()
+    ENDING_UNSPECIFIED: _ClassVar[Ending]
+    ENDING_DOCKED: _ClassVar[Ending]
+    ENDING_HELD: _ClassVar[Ending]
+    ENDING_WAVED_OFF: _ClassVar[Ending]
+    ENDING_TIME_OVER: _ClassVar[Ending]
+    ENDING_ABORTED: _ClassVar[Ending]
+    ENDING_COLLIDED: _ClassVar[Ending]
+    ENDING_INTERRUPTED: _ClassVar[Ending]
+
 class LinkState(int, metaclass=_enum_type_wrapper.EnumTypeWrapper):
     __slots__ = ()
     LINK_STATE_UNSPECIFIED: _ClassVar[LinkState]
@@ -106,6 +117,14 @@ WAVE_OFF_REASON_NOT_SEEN: WaveOffReason
 WAVE_OFF_REASON_TOO_SLOW: WaveOffReason
 WAVE_OFF_REASON_CURRENT: WaveOffReason
 WAVE_OFF_REASON_TIME_OVER: WaveOffReason
+ENDING_UNSPECIFIED: Ending
+ENDING_DOCKED: Ending
+ENDING_HELD: Ending
+ENDING_WAVED_OFF: Ending
+ENDING_TIME_OVER: Ending
+ENDING_ABORTED: Ending
+ENDING_COLLIDED: Ending
+ENDING_INTERRUPTED: Ending
 LINK_STATE_UNSPECIFIED: LinkState
 LINK_STATE_WAITING: LinkState
 LINK_STATE_LIVE: LinkState
@@ -595,23 +614,35 @@ class Problem(_message.Message):
     def __init__(self, file: _Optional[str] = ..., line: _Optional[int] = ..., column: _Optional[int] = ..., field: _Optional[str] = ..., value: _Optional[str] = ..., rule: _Optional[str] = ...) -> None: ...
 
 class SwitchMetrics(_message.Message):
-    __slots__ = ("from_mode", "to_mode", "time_s", "command_step_normalised", "command_step_raw", "actuator_step")
+    __slots__ = ("from_mode", "to_mode", "time_s", "command_step_normalised", "command_step_raw", "actuator_step", "settling_s", "command_step_settling", "force_step_n", "moment_step_nm", "acceleration_step_mps2", "angular_acceleration_step_degps2")
     FROM_MODE_FIELD_NUMBER: _ClassVar[int]
     TO_MODE_FIELD_NUMBER: _ClassVar[int]
     TIME_S_FIELD_NUMBER: _ClassVar[int]
     COMMAND_STEP_NORMALISED_FIELD_NUMBER: _ClassVar[int]
     COMMAND_STEP_RAW_FIELD_NUMBER: _ClassVar[int]
     ACTUATOR_STEP_FIELD_NUMBER: _ClassVar[int]
+    SETTLING_S_FIELD_NUMBER: _ClassVar[int]
+    COMMAND_STEP_SETTLING_FIELD_NUMBER: _ClassVar[int]
+    FORCE_STEP_N_FIELD_NUMBER: _ClassVar[int]
+    MOMENT_STEP_NM_FIELD_NUMBER: _ClassVar[int]
+    ACCELERATION_STEP_MPS2_FIELD_NUMBER: _ClassVar[int]
+    ANGULAR_ACCELERATION_STEP_DEGPS2_FIELD_NUMBER: _ClassVar[int]
     from_mode: Mode
     to_mode: Mode
     time_s: float
     command_step_normalised: float
     command_step_raw: float
     actuator_step: _containers.RepeatedScalarFieldContainer[float]
-    def __init__(self, from_mode: _Optional[_Union[Mode, str]] = ..., to_mode: _Optional[_Union[Mode, str]] = ..., time_s: _Optional[float] = ..., command_step_normalised: _Optional[float] = ..., command_step_raw: _Optional[float] = ..., actuator_step: _Optional[_Iterable[float]] = ...) -> None: ...
+    settling_s: float
+    command_step_settling: float
+    force_step_n: float
+    moment_step_nm: float
+    acceleration_step_mps2: float
+    angular_acceleration_step_degps2: float
+    def __init__(self, from_mode: _Optional[_Union[Mode, str]] = ..., to_mode: _Optional[_Union[Mode, str]] = ..., time_s: _Optional[float] = ..., command_step_normalised: _Optional[float] = ..., command_step_raw: _Optional[float] = ..., actuator_step: _Optional[_Iterable[float]] = ..., settling_s: _Optional[float] = ..., command_step_settling: _Optional[float] = ..., force_step_n: _Optional[float] = ..., moment_step_nm: _Optional[float] = ..., acceleration_step_mps2: _Optional[float] = ..., angular_acceleration_step_degps2: _Optional[float] = ...) -> None: ...
 
 class ModeMetrics(_message.Message):
-    __slots__ = ("mode", "duration_s", "samples", "depth_rms_m", "depth_peak_to_peak_m", "roll_rms_deg", "pitch_rms_deg", "yaw_rms_deg", "surge_speed_mean_mps", "actuator_rms", "residual_rms")
+    __slots__ = ("mode", "duration_s", "samples", "depth_rms_m", "depth_peak_to_peak_m", "roll_rms_deg", "pitch_rms_deg", "yaw_rms_deg", "surge_speed_mean_mps", "actuator_rms", "residual_rms", "depth_error_rms_m", "depth_error_max_m", "cross_track_error_rms_m", "cross_track_error_max_m", "heading_error_rms_deg", "heading_error_max_deg", "speed_error_rms_mps", "speed_error_max_mps")
     MODE_FIELD_NUMBER: _ClassVar[int]
     DURATION_S_FIELD_NUMBER: _ClassVar[int]
     SAMPLES_FIELD_NUMBER: _ClassVar[int]
@@ -623,6 +654,14 @@ class ModeMetrics(_message.Message):
     SURGE_SPEED_MEAN_MPS_FIELD_NUMBER: _ClassVar[int]
     ACTUATOR_RMS_FIELD_NUMBER: _ClassVar[int]
     RESIDUAL_RMS_FIELD_NUMBER: _ClassVar[int]
+    DEPTH_ERROR_RMS_M_FIELD_NUMBER: _ClassVar[int]
+    DEPTH_ERROR_MAX_M_FIELD_NUMBER: _ClassVar[int]
+    CROSS_TRACK_ERROR_RMS_M_FIELD_NUMBER: _ClassVar[int]
+    CROSS_TRACK_ERROR_MAX_M_FIELD_NUMBER: _ClassVar[int]
+    HEADING_ERROR_RMS_DEG_FIELD_NUMBER: _ClassVar[int]
+    HEADING_ERROR_MAX_DEG_FIELD_NUMBER: _ClassVar[int]
+    SPEED_ERROR_RMS_MPS_FIELD_NUMBER: _ClassVar[int]
+    SPEED_ERROR_MAX_MPS_FIELD_NUMBER: _ClassVar[int]
     mode: Mode
     duration_s: float
     samples: int
@@ -634,10 +673,56 @@ class ModeMetrics(_message.Message):
     surge_speed_mean_mps: float
     actuator_rms: _containers.RepeatedScalarFieldContainer[float]
     residual_rms: float
-    def __init__(self, mode: _Optional[_Union[Mode, str]] = ..., duration_s: _Optional[float] = ..., samples: _Optional[int] = ..., depth_rms_m: _Optional[float] = ..., depth_peak_to_peak_m: _Optional[float] = ..., roll_rms_deg: _Optional[float] = ..., pitch_rms_deg: _Optional[float] = ..., yaw_rms_deg: _Optional[float] = ..., surge_speed_mean_mps: _Optional[float] = ..., actuator_rms: _Optional[_Iterable[float]] = ..., residual_rms: _Optional[float] = ...) -> None: ...
+    depth_error_rms_m: float
+    depth_error_max_m: float
+    cross_track_error_rms_m: float
+    cross_track_error_max_m: float
+    heading_error_rms_deg: float
+    heading_error_max_deg: float
+    speed_error_rms_mps: float
+    speed_error_max_mps: float
+    def __init__(self, mode: _Optional[_Union[Mode, str]] = ..., duration_s: _Optional[float] = ..., samples: _Optional[int] = ..., depth_rms_m: _Optional[float] = ..., depth_peak_to_peak_m: _Optional[float] = ..., roll_rms_deg: _Optional[float] = ..., pitch_rms_deg: _Optional[float] = ..., yaw_rms_deg: _Optional[float] = ..., surge_speed_mean_mps: _Optional[float] = ..., actuator_rms: _Optional[_Iterable[float]] = ..., residual_rms: _Optional[float] = ..., depth_error_rms_m: _Optional[float] = ..., depth_error_max_m: _Optional[float] = ..., cross_track_error_rms_m: _Optional[float] = ..., cross_track_error_max_m: _Optional[float] = ..., heading_error_rms_deg: _Optional[float] = ..., heading_error_max_deg: _Optional[float] = ..., speed_error_rms_mps: _Optional[float] = ..., speed_error_max_mps: _Optional[float] = ...) -> None: ...
+
+class EndErrors(_message.Message):
+    __slots__ = ("position_m", "horizontal_m", "depth_m", "heading_deg", "speed_mps")
+    POSITION_M_FIELD_NUMBER: _ClassVar[int]
+    HORIZONTAL_M_FIELD_NUMBER: _ClassVar[int]
+    DEPTH_M_FIELD_NUMBER: _ClassVar[int]
+    HEADING_DEG_FIELD_NUMBER: _ClassVar[int]
+    SPEED_MPS_FIELD_NUMBER: _ClassVar[int]
+    position_m: float
+    horizontal_m: float
+    depth_m: float
+    heading_deg: float
+    speed_mps: float
+    def __init__(self, position_m: _Optional[float] = ..., horizontal_m: _Optional[float] = ..., depth_m: _Optional[float] = ..., heading_deg: _Optional[float] = ..., speed_mps: _Optional[float] = ...) -> None: ...
+
+class Outcome(_message.Message):
+    __slots__ = ("ending", "reason", "basis", "mode", "held_s", "closest_m", "closest_s", "true_errors", "believed_errors", "tries")
+    ENDING_FIELD_NUMBER: _ClassVar[int]
+    REASON_FIELD_NUMBER: _ClassVar[int]
+    BASIS_FIELD_NUMBER: _ClassVar[int]
+    MODE_FIELD_NUMBER: _ClassVar[int]
+    HELD_S_FIELD_NUMBER: _ClassVar[int]
+    CLOSEST_M_FIELD_NUMBER: _ClassVar[int]
+    CLOSEST_S_FIELD_NUMBER: _ClassVar[int]
+    TRUE_ERRORS_FIELD_NUMBER: _ClassVar[int]
+    BELIEVED_ERRORS_FIELD_NUMBER: _ClassVar[int]
+    TRIES_FIELD_NUMBER: _ClassVar[int]
+    ending: Ending
+    reason: str
+    basis: str
+    mode: Mode
+    held_s: float
+    closest_m: float
+    closest_s: float
+    true_errors: EndErrors
+    believed_errors: EndErrors
+    tries: int
+    def __init__(self, ending: _Optional[_Union[Ending, str]] = ..., reason: _Optional[str] = ..., basis: _Optional[str] = ..., mode: _Optional[_Union[Mode, str]] = ..., held_s: _Optional[float] = ..., closest_m: _Optional[float] = ..., closest_s: _Optional[float] = ..., true_errors: _Optional[_Union[EndErrors, _Mapping]] = ..., believed_errors: _Optional[_Union[EndErrors, _Mapping]] = ..., tries: _Optional[int] = ...) -> None: ...
 
 class Metrics(_message.Message):
-    __slots__ = ("run_id", "duration_s", "cycles", "residual_rms", "saturation_ratio", "d_u_fr", "d_u_rh", "switches", "modes", "solve_time_mean_us", "solve_time_std_us", "solve_time_p95_us", "solve_time_max_us", "final_range_m", "increment_violations", "demand_step_violations", "residual_rms_true", "missing_cycles", "solved_ratio")
+    __slots__ = ("run_id", "duration_s", "cycles", "residual_rms", "saturation_ratio", "d_u_fr", "d_u_rh", "switches", "modes", "solve_time_mean_us", "solve_time_std_us", "solve_time_p95_us", "solve_time_max_us", "final_range_m", "increment_violations", "demand_step_violations", "residual_rms_true", "missing_cycles", "solved_ratio", "outcome", "d_u_fr_settling", "d_u_rh_settling", "shaft_energy_j", "fin_travel_deg", "screw_reversals")
     RUN_ID_FIELD_NUMBER: _ClassVar[int]
     DURATION_S_FIELD_NUMBER: _ClassVar[int]
     CYCLES_FIELD_NUMBER: _ClassVar[int]
@@ -657,6 +742,12 @@ class Metrics(_message.Message):
     RESIDUAL_RMS_TRUE_FIELD_NUMBER: _ClassVar[int]
     MISSING_CYCLES_FIELD_NUMBER: _ClassVar[int]
     SOLVED_RATIO_FIELD_NUMBER: _ClassVar[int]
+    OUTCOME_FIELD_NUMBER: _ClassVar[int]
+    D_U_FR_SETTLING_FIELD_NUMBER: _ClassVar[int]
+    D_U_RH_SETTLING_FIELD_NUMBER: _ClassVar[int]
+    SHAFT_ENERGY_J_FIELD_NUMBER: _ClassVar[int]
+    FIN_TRAVEL_DEG_FIELD_NUMBER: _ClassVar[int]
+    SCREW_REVERSALS_FIELD_NUMBER: _ClassVar[int]
     run_id: str
     duration_s: float
     cycles: int
@@ -676,7 +767,13 @@ class Metrics(_message.Message):
     residual_rms_true: float
     missing_cycles: int
     solved_ratio: float
-    def __init__(self, run_id: _Optional[str] = ..., duration_s: _Optional[float] = ..., cycles: _Optional[int] = ..., residual_rms: _Optional[float] = ..., saturation_ratio: _Optional[float] = ..., d_u_fr: _Optional[float] = ..., d_u_rh: _Optional[float] = ..., switches: _Optional[_Iterable[_Union[SwitchMetrics, _Mapping]]] = ..., modes: _Optional[_Iterable[_Union[ModeMetrics, _Mapping]]] = ..., solve_time_mean_us: _Optional[float] = ..., solve_time_std_us: _Optional[float] = ..., solve_time_p95_us: _Optional[float] = ..., solve_time_max_us: _Optional[float] = ..., final_range_m: _Optional[float] = ..., increment_violations: _Optional[int] = ..., demand_step_violations: _Optional[int] = ..., residual_rms_true: _Optional[float] = ..., missing_cycles: _Optional[int] = ..., solved_ratio: _Optional[float] = ...) -> None: ...
+    outcome: Outcome
+    d_u_fr_settling: float
+    d_u_rh_settling: float
+    shaft_energy_j: float
+    fin_travel_deg: float
+    screw_reversals: int
+    def __init__(self, run_id: _Optional[str] = ..., duration_s: _Optional[float] = ..., cycles: _Optional[int] = ..., residual_rms: _Optional[float] = ..., saturation_ratio: _Optional[float] = ..., d_u_fr: _Optional[float] = ..., d_u_rh: _Optional[float] = ..., switches: _Optional[_Iterable[_Union[SwitchMetrics, _Mapping]]] = ..., modes: _Optional[_Iterable[_Union[ModeMetrics, _Mapping]]] = ..., solve_time_mean_us: _Optional[float] = ..., solve_time_std_us: _Optional[float] = ..., solve_time_p95_us: _Optional[float] = ..., solve_time_max_us: _Optional[float] = ..., final_range_m: _Optional[float] = ..., increment_violations: _Optional[int] = ..., demand_step_violations: _Optional[int] = ..., residual_rms_true: _Optional[float] = ..., missing_cycles: _Optional[int] = ..., solved_ratio: _Optional[float] = ..., outcome: _Optional[_Union[Outcome, _Mapping]] = ..., d_u_fr_settling: _Optional[float] = ..., d_u_rh_settling: _Optional[float] = ..., shaft_energy_j: _Optional[float] = ..., fin_travel_deg: _Optional[float] = ..., screw_reversals: _Optional[int] = ...) -> None: ...
 
 class StreamMessage(_message.Message):
     __slots__ = ("topic", "schema", "payload", "receive_time_ns")

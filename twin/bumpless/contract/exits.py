@@ -1,3 +1,8 @@
-"""How a vehicle node's process ends: the server that started it acts on the code."""
+"""How processes end: whoever started one acts on the code."""
 
-STOPPED, FAILED, TAKEN = 0, 1, 3  # asked for; could not go on; the vehicle id is alive already
+# a vehicle node: asked for; could not go on; the vehicle id is alive already
+STOPPED, FAILED, TAKEN = 0, 1, 3
+
+# `bumpless run`: flown (and ended as required); refused, or the log cannot be written; the command was used
+# wrongly; the simulation broke down; flown, but its outcome is none of those that --require names
+FLOWN, REFUSED, MISUSED, BROKEN, NOT_AS_REQUIRED = 0, 1, 2, 3, 4

@@ -3,7 +3,7 @@
 from functools import cache
 from typing import Any
 
-from google.protobuf import descriptor_pb2
+from google.protobuf import descriptor_pb2, json_format
 from google.protobuf.message import DecodeError, Message
 
 from bumpless.contract import bumpless_pb2 as pb
@@ -17,6 +17,13 @@ MESSAGES: dict[str, type[Message]] = {
 def encoded(message: Message) -> bytes:
     """The message's bytes: the same message always gives the same ones."""
     return message.SerializeToString(deterministic=True)
+
+
+def as_json(message: Message) -> dict[str, Any]:
+    """The message as plain data for JSON: the contract's field names, zeros and False included."""
+    return json_format.MessageToDict(
+        message, preserving_proto_field_name=True, always_print_fields_with_no_presence=True
+    )
 
 
 def decoded(schema: str, payload: bytes) -> Message | None:

@@ -158,7 +158,7 @@ def regulate(settings, plan, model, mode, switched, s, out):
     """From references to the demand in force, s.switching.now.
 
     mode: whose gains and weights count; switched: a ramp into them begins in this cycle. s: STATE; out:
-    OUTPUT.
+    OUTPUT. What no actuator can push is not demanded. Source: Gao et al. 2026, eq. (22).
     """
     navigation, pid, switching, gains = s.navigation, s.pid, s.switching, out.gains
     errors, chosen = pid.smooth, settings.modes[mode - FORWARD]

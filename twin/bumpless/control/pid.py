@@ -48,7 +48,10 @@ def clip(value, limit):
 
 @jit
 def tracking_error(reference, eta, nu, depth_rate, errors):
-    """Fill the ERRORS record from reference (6,) = [u_d v_d z_d phi_d theta_d psi_d] and the estimate."""
+    """Fill the ERRORS record from reference (6,) = [u_d v_d z_d phi_d theta_d psi_d] and the estimate.
+
+    Source: eq. (42).
+    """
     r, e, e_dot = reference, errors.e, errors.e_dot
     e[0], e[1] = r[0] - nu[0], r[1] - nu[1]
     e[2] = r[2] - eta[2]
@@ -85,7 +88,10 @@ def proportional(gains, errors, i):
 
 @jit
 def demand(gains, errors, pid, tau_plus):
-    """Fill tau_plus (6,), N and N m, and advance the integrals by one cycle. gains: GAINS of `schedule`."""
+    """Fill tau_plus (6,), N and N m, and advance the integrals by one cycle. gains: GAINS of `schedule`.
+
+    Source: eq. (43)-(44).
+    """
     for i in range(6):
         rate = gains.K_I[i] * errors.e[i]
         if pid.limited[i] == 1 and gains.windup[i] > 0.0:
@@ -118,9 +124,10 @@ def carry_integrals(integral_at_switch, mode, pid):
 
 @jit
 def align_integrals(settings, mode, gains, errors, tau_eq, pid):
-    """Eq. (56): make tau_plus equal tau_eq (6,) on the aligned channels that have an integral gain.
+    """Make tau_plus equal tau_eq (6,) on the aligned channels that have an integral gain.
 
     settings: SWITCHING_SETTINGS; mode: MODE_SETTINGS of the mode to come, gains as they are scheduled for it.
+    Source: eq. (56).
     """
     for i in range(6):
         if settings.align_channels[i] > 0.0 and mode.K_I[i] > 0.0:

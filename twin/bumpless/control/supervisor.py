@@ -52,7 +52,7 @@ def filter_detection(settings, raw, state):
 
 @jit
 def next_mode(settings, mode, chi, d):
-    """sigma(k+1) of eq. (53) once the dwell time is over; chi in {0, 1}, d in m."""
+    """sigma(k+1) once the dwell time is over; chi in {0, 1}, d in m. Source: Gao et al. 2026, eq. (53)."""
     if mode == FORWARD:
         return REVERSE if chi == 1 and d <= settings.d_fr_l else FORWARD
     if mode == REVERSE:

@@ -65,9 +65,10 @@ def begin_ramp(cycle, mode, switching):
 
 @jit
 def transition_factor(settings, cycle, switching):
-    """kappa of eq. (54): 0 in the cycle of the switch, 1 after N_sw cycles; 1 at once without a ramp.
+    """kappa: 0 in the cycle of the switch, 1 after N_sw cycles; 1 at once without a ramp.
 
-    Beyond the paper (`ramp_smooth`): 6 x^5 - 15 x^4 + 10 x^3 of that, twice differentiable at both ends.
+    Source: eq. (54). Beyond the paper (`ramp_smooth`): 6 x^5 - 15 x^4 + 10 x^3 of that, twice differentiable
+    at both ends.
     """
     if settings.ramp == 0 or switching.ramp_length <= 0.0:
         return 1.0
@@ -77,8 +78,8 @@ def transition_factor(settings, cycle, switching):
 
 @jit
 def blend(mode, tau_plus, switching):
-    """Eq. (55): fill switching.now by kappa between the frozen values and the mode's own; tau_plus (6,) is
-    what its PID demands, N and N m."""
+    """Fill switching.now by kappa between the frozen values and the mode's own; tau_plus (6,) is
+    what its PID demands, N and N m. Source: eq. (55)."""
     k, now, minus = switching.kappa, switching.now, switching.minus
     for i in range(6):
         now.tau_d[i] = (1.0 - k) * minus.tau_d[i] + k * tau_plus[i]

@@ -20,7 +20,8 @@ FLOWN = (0, *FLYING)  # phases whose rows count; 0: not said
 class Columns:
     """One row per control cycle (n rows, n_u actuators), named and scaled as in `sim.log.LOG`.
 
-    Only cycles in which the mission ran are kept. Columns of truth are NaN where nobody knew it.
+    Only cycles in which the mission ran are kept. Columns of truth are NaN where nobody knew it, those of
+    the docking automaton 0 where there is none.
     """
 
     time: Floats  # (n,) s since mission start
@@ -31,6 +32,9 @@ class Columns:
     depth: Floats  # (n,) m, measured
     eta_hat: Floats  # (n, 6) m and rad
     nu_hat: Floats  # (n, 6) m/s and rad/s
+    nu_r_hat: Floats  # (n, 3) velocity through water, body
+    reference: Floats  # (n, 6) [u_d v_d z_d phi_d theta_d psi_d]
+    cross_track: Floats  # (n,) m, as believed
     tau_d: Floats  # (n, 6) N and N m
     tau_plus: Floats  # (n, 6)
     tau_minus: Floats  # (n, 6)
@@ -41,7 +45,12 @@ class Columns:
     eta: Floats  # (n, 6) truth
     nu: Floats  # (n, 6) truth
     target_true: Floats  # (n, 3) truth
+    stage: Integers  # (n,) DockingStage; 0 where the published automaton flies
+    tried: Integers  # (n,) approaches begun
+    reason: Integers  # (n,) WaveOffReason of the last wave-off; 0: none yet
+    approach: Floats  # (n,) approach heading in use, rad; where `stage` is not 0
     u: Floats  # (n, n_u) commands, rad or rev/s
+    u_feedback: Floats  # (n, n_u) as measured
     du_max: Floats  # (n, n_u) increment bound of the cycle
     status: Integers  # (n,) SolveStatus
     solve_time: Floats  # (n,) s
@@ -50,8 +59,12 @@ class Columns:
     def from_log(cls, log: npt.NDArray[Any], n_u: int) -> Self:
         """From an array of LOG rows; rows outside the mission are left out."""
         rows = log[np.isin(log["phase"], FLOWN)]
-        columns = {f.name: np.array(rows[f.name]) for f in fields(cls)}
-        for name in ("u", "du_max"):
+        named = log.dtype.names or ()
+        absent: Any = np.zeros(len(rows), np.int64)
+        columns: dict[str, Any] = {
+            f.name: np.array(rows[f.name] if f.name in named else absent) for f in fields(cls)
+        }
+        for name in ("u", "u_feedback", "du_max"):
             columns[name] = columns[name][:, :n_u]
         return cls(**columns)
 
@@ -61,7 +74,8 @@ class Columns:
         units: of each actuator's command, "deg" or "rpm".
         """
         edge = np.array([EDGE_PER_SI[unit] for unit in units])
-        angles = {name: getattr(self, name).copy() for name in ("eta_hat", "nu_hat", "eta", "nu")}
+        turned = ("eta_hat", "nu_hat", "reference", "eta", "nu")
+        angles = {name: getattr(self, name).copy() for name in turned}
         for values in angles.values():
             values[:, 3:] = np.radians(values[:, 3:] * EDGE_PER_SI["deg"])
         target = self.target.copy()
@@ -69,11 +83,18 @@ class Columns:
         return replace(
             self,
             u=self.u * edge / edge,
+            u_feedback=self.u_feedback * edge / edge,
             du_max=self.du_max * edge / edge,
+            approach=np.radians(self.approach * EDGE_PER_SI["deg"]),
             solve_time=self.solve_time * 1e6 * 1e-6,
             target=target,
             **angles,
         )
+
+    @property
+    def heading(self) -> Floats:
+        """(n,) approach heading, rad: the one in use, or the target's own."""
+        return np.where(self.stage != 0, self.approach, self.target[:, 3])
 
     def __len__(self) -> int:
         return len(self.time)

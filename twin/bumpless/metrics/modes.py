@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from bumpless.metrics.columns import Columns, Floats
+from bumpless.metrics.tracking import Tracking, tracking
 
 
 @dataclass(frozen=True)
@@ -19,6 +20,7 @@ class ModeFigures:
     surge_mean: float  # m/s over ground
     command_rms: Floats  # (n_u,) rad or rev/s, mean not removed
     residual_rms: float
+    tracking: Tracking
 
 
 def mode_figures(run: Columns, residual: Floats) -> list[ModeFigures]:
@@ -47,6 +49,7 @@ def _figures(run: Columns, residual: Floats, mode: int, stays: list[np.ndarray])
         surge_mean=float(run.nu_hat[rows, 0].mean()),
         command_rms=_rms(run.u[rows]),
         residual_rms=float(_rms(residual[rows])),
+        tracking=tracking(run, rows),
     )
 
 

@@ -3,12 +3,13 @@
 from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
-from google.protobuf import json_format
 
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.enums import FORWARD, HOVER, REVERSE, SOLVED
+from bumpless.contract.messages import as_json
 from bumpless.contract.units import DEG, EDGE_PER_SI, WRENCH
 from bumpless.metrics.columns import Columns, Floats
+from bumpless.metrics.cost import cost_of
 from bumpless.metrics.modes import ModeFigures, mode_figures
 from bumpless.metrics.proposition import demand_step_violations, increment_violations
 from bumpless.metrics.switches import SwitchSteps, largest, switch_steps
@@ -42,12 +43,15 @@ def metrics_of(run: Columns, vehicle: "Vehicle", run_id: str = "") -> pb.Metrics
     message.residual_rms_true = _rms(np.linalg.norm((run.tau_d - run.tau) * served, axis=1))
     message.saturation_ratio = _saturation_ratio(run, lower, upper)
     message.solved_ratio = float(np.mean(run.status == SOLVED))
-    message.d_u_fr = largest(steps, FORWARD, REVERSE)
-    message.d_u_rh = largest(steps, REVERSE, HOVER)
+    message.d_u_fr, message.d_u_fr_settling = largest(steps, FORWARD, REVERSE)
+    message.d_u_rh, message.d_u_rh_settling = largest(steps, REVERSE, HOVER)
     message.switches.extend(_switch(run, s) for s in steps)
     for figures in mode_figures(run, residual):
         message.modes.append(_mode(figures, vehicle.control_period_s, edge))
     _solve_times(message, run.solve_time * 1e6)
+    cost = cost_of(run, vehicle)
+    message.shaft_energy_j, message.fin_travel_deg = cost.shaft_energy_j, cost.fin_travel_deg
+    message.screw_reversals = cost.screw_reversals
     message.final_range_m = float(run.range[-1])
     message.increment_violations = increment_violations(run, lower, upper)
     message.demand_step_violations = demand_step_violations(run)
@@ -56,11 +60,7 @@ def metrics_of(run: Columns, vehicle: "Vehicle", run_id: str = "") -> pb.Metrics
 
 def as_dict(metrics: pb.Metrics) -> dict[str, Any]:
     """For JSON: the contract's field names, every field present, None for NaN."""
-    return _without_nan(
-        json_format.MessageToDict(
-            metrics, preserving_proto_field_name=True, always_print_fields_with_no_presence=True
-        )
-    )
+    return _without_nan(as_json(metrics))
 
 
 def _without_nan(value: Any) -> Any:
@@ -81,6 +81,7 @@ def _saturation_ratio(run: Columns, lower: Floats, upper: Floats) -> float:
 
 
 def _switch(run: Columns, steps: SwitchSteps) -> pb.SwitchMetrics:
+    late = steps.settling
     return pb.SwitchMetrics(
         from_mode=cast("pb.Mode", steps.from_mode),
         to_mode=cast("pb.Mode", steps.to_mode),
@@ -88,11 +89,18 @@ def _switch(run: Columns, steps: SwitchSteps) -> pb.SwitchMetrics:
         command_step_normalised=steps.normalised,
         command_step_raw=steps.raw,
         actuator_step=steps.per_actuator.tolist(),
+        settling_s=late.seconds,
+        command_step_settling=late.normalised,
+        force_step_n=late.force,
+        moment_step_nm=late.moment,
+        acceleration_step_mps2=late.acceleration,
+        angular_acceleration_step_degps2=late.angular_acceleration * DEG,
     )
 
 
 def _mode(figures: ModeFigures, period_s: float, edge: Floats) -> pb.ModeMetrics:
     roll, pitch, yaw = figures.attitude_rms * DEG
+    rms, largest_error = figures.tracking.rms, figures.tracking.largest
     return pb.ModeMetrics(
         mode=cast("pb.Mode", figures.mode),
         duration_s=figures.samples * period_s,
@@ -105,6 +113,14 @@ def _mode(figures: ModeFigures, period_s: float, edge: Floats) -> pb.ModeMetrics
         surge_speed_mean_mps=figures.surge_mean,
         actuator_rms=(figures.command_rms * edge).tolist(),
         residual_rms=figures.residual_rms,
+        depth_error_rms_m=rms[0],
+        depth_error_max_m=largest_error[0],
+        cross_track_error_rms_m=rms[1],
+        cross_track_error_max_m=largest_error[1],
+        heading_error_rms_deg=rms[2],
+        heading_error_max_deg=largest_error[2],
+        speed_error_rms_mps=rms[3],
+        speed_error_max_mps=largest_error[3],
     )
 
 

@@ -1,5 +1,6 @@
 """Steps of the commands around each mode switch.
 
+The largest step hides outside the paper's window when a ramp defers it; `Settling` looks past the ramp.
 d_u of the paper mixes degrees and rpm. Here the step is taken on commands divided by their amplitude
 bounds, so that no actuator outweighs the others by its unit; the paper's own mixture stands beside it.
 """
@@ -7,10 +8,12 @@ bounds, so that no actuator outweighs the others by its unit; the paper's own mi
 from dataclasses import dataclass
 
 import numpy as np
+import numpy.typing as npt
 
 from bumpless.metrics.columns import Columns, Floats
 
 WINDOW_S = 2.0  # on either side of a switch
+AFTER_RAMP_S = 15.0  # past the end of the switch's ramp; what a ramp defers falls in here
 
 
 @dataclass(frozen=True)
@@ -23,6 +26,22 @@ class SwitchSteps:
     normalised: float  # max ||du||, commands over their bounds
     raw: float  # max ||du||, deg and rpm mixed
     per_actuator: Floats  # (n_u,) max |du_i|, deg or rpm
+    settling: "Settling"
+
+
+@dataclass(frozen=True)
+class Settling:
+    """Largest change from one cycle to the next, from a switch until AFTER_RAMP_S after its ramp's end.
+
+    The next switch ends it earlier: its own steps are its own. NaN where the truth is not known.
+    """
+
+    seconds: float
+    normalised: float  # max ||du||, commands over their bounds
+    force: float  # of the plant's true wrench, N
+    moment: float  # N m
+    acceleration: float  # of the true body acceleration, m/s^2
+    angular_acceleration: float  # rad/s^2
 
 
 def switch_steps(run: Columns, bounds: Floats, edge: Floats) -> list[SwitchSteps]:
@@ -47,12 +66,51 @@ def switch_steps(run: Columns, bounds: Floats, edge: Floats) -> list[SwitchSteps
                 normalised=float(np.linalg.norm(du / bounds, axis=1).max()),
                 raw=float(np.linalg.norm(du * edge, axis=1).max()),
                 per_actuator=np.abs(du * edge).max(axis=0),
+                settling=_settling(run, steps / bounds, int(row)),
             )
         )
     return found
 
 
-def largest(steps: list[SwitchSteps], from_mode: int, to_mode: int) -> float:
-    """Largest normalised step over all switches of one kind; NaN when there was none."""
-    found = [s.normalised for s in steps if (s.from_mode, s.to_mode) == (from_mode, to_mode)]
-    return max(found, default=float("nan"))
+def _settling(run: Columns, du: Floats, row: int) -> Settling:
+    left = np.flatnonzero(run.mode[row:] != run.mode[row])
+    last = row + int(left[0]) if len(left) else len(run)  # the first row of another mode
+    ramped = np.flatnonzero(run.kappa[row:last] >= 1.0)
+    if len(ramped):
+        until = run.time[row + int(ramped[0])] + AFTER_RAMP_S + 1e-9
+        last = row + int(np.count_nonzero(run.time[row:last] <= until))
+    stay = slice(row, last)
+    before = np.concatenate([[False], run.follows[:-1]])  # an acceleration needs two cycles, its step three
+    step, jerk = _changes(run.tau, run.follows), _changes(_accelerations(run), run.follows & before)
+    return Settling(
+        seconds=float(run.time[last - 1] - run.time[row]),
+        normalised=_largest(du[stay]),
+        force=_largest(step[stay, :3]),
+        moment=_largest(step[stay, 3:]),
+        acceleration=_largest(jerk[stay, :3]),
+        angular_acceleration=_largest(jerk[stay, 3:]),
+    )
+
+
+def _changes(values: Floats, follows: npt.NDArray[np.bool_]) -> Floats:
+    """From the row before; 0 after a gap."""
+    return np.where(follows[:, None], np.diff(values, axis=0, prepend=values[:1]), 0.0)
+
+
+def _accelerations(run: Columns) -> Floats:
+    """(n, 6) mean of the cycle before each row, body axes, m/s^2 and rad/s^2; 0 after a gap."""
+    periods = np.diff(run.time, prepend=run.time[:1] - 1.0)
+    return _changes(run.nu, run.follows) / np.where(run.follows, periods, 1.0)[:, None]
+
+
+def _largest(steps: Floats) -> float:
+    """Norm of the largest row; NaN when any is."""
+    return float(np.linalg.norm(steps, axis=1).max())
+
+
+def largest(steps: list[SwitchSteps], from_mode: int, to_mode: int) -> tuple[float, float]:
+    """Largest normalised step over all switches of one kind, about the switch and while settling; or NaN."""
+    of_kind = [s for s in steps if (s.from_mode, s.to_mode) == (from_mode, to_mode)]
+    nothing = float("nan")
+    near = max((s.normalised for s in of_kind), default=nothing)
+    return near, max((s.settling.normalised for s in of_kind), default=nothing)

@@ -90,6 +90,7 @@ def body_acceleration(model, eta, nu, nu_r, nu_c_dot, tau, force, out):
     """out (6,) = nu' from total applied wrench tau; `force` (6,) is scratch space.
 
     nu_c_dot (6,): rate of the current's velocity as seen in body axes, [-omega x v_c + R^T v_c'; 0].
+    Source: Gao et al. 2026, eq. (1)-(5).
     """
     for i in range(6):
         total = tau[i]

@@ -35,6 +35,7 @@ def attainable_sets(
     """AFS and AMS of the given actuators (by their first slots; all by default) in steady flow along x_b.
 
     Both hulls have n_directions vertices, in the order of the same fixed directions, and 2n - 4 faces.
+    Source: eq. (37)-(40).
     """
     directions, faces = direction_sphere(n_directions)
     clouds = [actuator_cloud(model, surge_speed_mps, int(i), LEVELS) for i in select(model, actuators)]

@@ -18,7 +18,7 @@ def wrap(angle):
 
 @jit
 def body_to_ned(phi, theta, psi, v, out):
-    """out = R_nb(phi, theta, psi) v ; v and out of shape (3,)."""
+    """out = R_nb(phi, theta, psi) v ; v and out of shape (3,). Source: Gao et al. 2026, eq. (6)-(7)."""
     cf, sf, ct, st, cp, sp = cos(phi), sin(phi), cos(theta), sin(theta), cos(psi), sin(psi)
     x, y, z = v[0], v[1], v[2]
     out[0] = cp * ct * x + (cp * st * sf - sp * cf) * y + (sp * sf + cp * cf * st) * z
@@ -38,7 +38,10 @@ def ned_to_body(phi, theta, psi, v, out):
 
 @jit
 def euler_rates(phi, theta, p, q, r):
-    """(phi', theta', psi') = T(phi, theta) [p q r]. Singular at theta = +-pi/2."""
+    """(phi', theta', psi') = T(phi, theta) [p q r]. Singular at theta = +-pi/2.
+
+    Source: Gao et al. 2026, eq. (6)-(7).
+    """
     sf, cf, ct = sin(phi), cos(phi), cos(theta)
     ct = ct if abs(ct) > 1e-6 else 1e-6
     tt = sin(theta) / ct

@@ -43,7 +43,7 @@ PLANT = np.dtype(
 
 @jit
 def state_rate(model, environment, gust, effectiveness, time, x, command, rate):
-    """rate (20,) = d/dt [eta nu u] at state x, commands held."""
+    """rate (20,) = d/dt [eta nu u] at state x, commands held. Source: Gao et al. 2026, eq. (1)-(7)."""
     eta, nu, u = x[0:6], x[6:12], x[12:20]
     phi, theta, psi = eta[3], eta[4], eta[5]
     v_c, a_c, body = floats(3), floats(3), floats(3)

@@ -15,7 +15,7 @@ from bumpless.contract.keys import SAID
 from bumpless.contract.units import EDGE_PER_SI
 from bumpless.metrics import Columns
 from bumpless.metrics.columns import FLOWN
-from bumpless.runs.figures import Figures, figures_of, how_ended
+from bumpless.runs.figures import Figures, figures_of, how_ended, why_ended
 from bumpless.runs.names import DESCRIPTION, MISSION, PLAN, TRUTH
 from bumpless.runs.read import log_messages
 
@@ -73,16 +73,17 @@ def read_columns(path: Path) -> RecordedColumns:
     return RecordedColumns(_joined(columns), vehicle, status, plan)
 
 
-def figures_of_file(path: Path, run_id: str, state: str, phase: int) -> Figures | None:
+def figures_of_file(path: Path, run_id: str, state: str, phase: int, reason: str = "") -> Figures | None:
     """Figures of a log, also of one that is still being written (flush it first) or was cut.
 
-    `state` and `phase` are the run's last. None when the file holds no cycle of a mission or no usable
-    vehicle description. Raises ValueError when it is not MCAP.
+    `state`, `phase` and `reason` are the run's last. None when the file holds no cycle of a mission or no
+    usable vehicle description. Raises ValueError when it is not MCAP.
     """
     data = read_columns(path)
     if data.vehicle is None or len(data.columns) == 0:
         return None
-    return figures_of(data.columns, data.vehicle, run_id, how_ended(state, phase))
+    how = how_ended(state, phase)
+    return figures_of(data.columns, data.vehicle, run_id, how, why_ended(how, reason))
 
 
 def _vehicle(message: pb.VehicleDescription) -> Vehicle | None:
@@ -104,8 +105,8 @@ def _joined(columns: dict[str, _Column]) -> Columns:
     rows = {topic: values[flying] if len(cycle) else np.empty((0, 80)) for topic, values in rows.items()}
     supervisor, navigation = rows["tlm/supervisor"], rows["tlm/navigation"]
     control, allocation = rows["tlm/control"], rows["tlm/allocation"]
-    actuators, target = rows["tlm/actuators"], rows["tlm/target"]
-    n_u = actuators.shape[1] // 2
+    actuators, target, guidance = rows["tlm/actuators"], rows["tlm/target"], rows["tlm/guidance"]
+    n_u = actuators.shape[1] // 3
     known = np.full((len(cycle), 21), np.nan)  # truth: wrench, pose, velocity, target
     _, here, there = np.intersect1d(cycle, truth_cycles, assume_unique=True, return_indices=True)
     if len(here):
@@ -119,6 +120,13 @@ def _joined(columns: dict[str, _Column]) -> Columns:
         depth=navigation[:, 0],
         eta_hat=navigation[:, 1:7],
         nu_hat=navigation[:, 7:13],
+        nu_r_hat=navigation[:, 13:16],
+        reference=guidance[:, :6],
+        cross_track=guidance[:, 6],
+        stage=supervisor[:, 5].astype(np.int64),
+        tried=supervisor[:, 6].astype(np.int64),
+        reason=supervisor[:, 7].astype(np.int64),
+        approach=np.radians(supervisor[:, 8]),
         tau_d=control[:, 0:6],
         tau_plus=control[:, 6:12],
         tau_c=control[:, 12:18],
@@ -131,17 +139,30 @@ def _joined(columns: dict[str, _Column]) -> Columns:
         target_true=known[:, 18:21],
         u=actuators[:, :n_u],
         du_max=actuators[:, n_u : 2 * n_u],
+        u_feedback=actuators[:, 2 * n_u :],
         status=allocation[:, 0].astype(np.int64),
         solve_time=allocation[:, 1],
     )
 
 
+_DOCKING = ("docking_stage", "docking_tries", "wave_off_reason", "approach_heading_deg")
+
+
 def _supervisor(m: pb.Supervisor) -> tuple[float, ...]:
-    return (m.phase, m.stamp.mission_time_s, m.mode, m.kappa, m.range_m)
+    said = (m.phase, m.stamp.mission_time_s, m.mode, m.kappa, m.range_m)
+    return (*said, *(getattr(m, name, 0) for name in _DOCKING))
 
 
 def _navigation(m: pb.Navigation) -> list[float]:
-    return [m.depth_m, *_motion(m)]
+    through = m.velocity_through_water_body_mps
+    return [m.depth_m, *_motion(m), through.x, through.y, through.z]
+
+
+def _guidance(m: pb.Guidance) -> list[float]:
+    a = m.attitude_reference
+    degrees = np.radians([a.roll_deg, a.pitch_deg, a.yaw_deg]).tolist()
+    speeds = (m.surge_speed_reference_mps, m.sway_speed_reference_mps)
+    return [*speeds, m.depth_reference_m, *degrees, m.cross_track_error_m]
 
 
 def _motion(m: pb.Navigation | pb.TruthState) -> list[float]:
@@ -171,8 +192,10 @@ def _wrench(w: pb.Wrench) -> tuple[float, ...]:
 
 
 def _actuators(m: pb.Actuators) -> list[float]:
-    commands = [a.command / EDGE_PER_SI[a.unit] for a in m.actuators]
-    return commands + [a.increment_bound / EDGE_PER_SI[a.unit] for a in m.actuators]
+    edges = [EDGE_PER_SI[a.unit] for a in m.actuators]
+    told = [*(a.command for a in m.actuators), *(a.increment_bound for a in m.actuators)]
+    told += [a.feedback for a in m.actuators]
+    return [number / edge for number, edge in zip(told, edges * 3, strict=True)]
 
 
 def _allocation(m: pb.Allocation) -> tuple[float, ...]:
@@ -182,6 +205,7 @@ def _allocation(m: pb.Allocation) -> tuple[float, ...]:
 _NUMBERS: dict[str, Callable[[Any], Iterable[float]]] = {
     "tlm/supervisor": _supervisor,
     "tlm/navigation": _navigation,
+    "tlm/guidance": _guidance,
     "tlm/control": _control,
     "tlm/actuators": _actuators,
     "tlm/allocation": _allocation,

@@ -11,10 +11,12 @@ import numpy as np
 from google.protobuf.message import Message
 
 from bumpless.config.parameters import Parameters
+from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.version import software_version
 from bumpless.metrics import Columns
-from bumpless.runs.figures import Figures, figures_of
+from bumpless.runs.figures import Figures, figures_of, outcome_event
 from bumpless.runs.info import RunInfo
+from bumpless.runs.names import EVENT
 from bumpless.sim.twin import Result
 from bumpless.telemetry import parameters_text, run_id, run_messages
 
@@ -80,8 +82,13 @@ class Flown:
         return run_messages(self.result, info.run_id, info.started_ns, info.software_version, info.session)
 
     def told(self) -> Iterator[tuple[str, Message]]:
-        """The same as (topic, message)."""
-        return ((topic, message) for _, topic, message in self.timed())
+        """The same as (topic, message), and the outcome as the last event."""
+        status = pb.MissionStatus()
+        for _, topic, message in self.timed():
+            if isinstance(message, pb.MissionStatus):
+                status = message
+            yield topic, message
+        yield EVENT, outcome_event(self.figures[1], status)
 
     def __getstate__(self) -> dict[str, Any]:
         """Small: the log's fields one by one, compressed, for most of their numbers repeat."""

@@ -17,7 +17,7 @@ from bumpless.contract.messages import decoded
 from bumpless.metrics import Columns
 from bumpless.runs import names
 from bumpless.runs.columns import RecordedColumns, read_columns
-from bumpless.runs.figures import Figures, figures_of, how_ended
+from bumpless.runs.figures import Figures, figures_of, how_ended, why_ended
 from bumpless.runs.info import RunInfo, run_info
 from bumpless.runs.read import log_messages
 from bumpless.runs.records import Records, read_records
@@ -62,7 +62,7 @@ class Recorded:
         if vehicle is None or len(columns) == 0:
             return None
         how = how_ended(end.get("state", names.INTERRUPTED), self._columns.status.phase)
-        reason = "" if how == "completed" else end.get("reason", names.CUT_OFF)
+        reason = why_ended(how, end.get("reason", names.CUT_OFF))
         return figures_of(columns, vehicle, self.info.run_id, how, reason)
 
     @cached_property

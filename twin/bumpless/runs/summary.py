@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from bumpless.metrics import Ending
 from bumpless.runs import names
 from bumpless.runs.info import RunInfo
 from bumpless.runs.names import COMPLETE, INTERRUPTED
@@ -28,6 +29,8 @@ class RunSummary:
     end_reason: str
     messages: int
     dropped: int
+    outcome: str  # an Ending's word; "" when the run was not judged
+    outcome_reason: str  # one sentence
     metrics: dict[str, Any] | None
 
 
@@ -55,8 +58,14 @@ def summarise(path: Path) -> RunSummary:
         end_reason=end.get("reason", reason),
         messages=_number(end.get("messages"), found.messages),
         dropped=_number(end.get("dropped"), 0),
+        outcome=_ending(end.get("outcome", "")),
+        outcome_reason=end.get("outcome_reason", ""),
         metrics=metrics,
     )
+
+
+def _ending(word: str) -> str:
+    return word if word in set(Ending) else ""
 
 
 def _number(text: str | None, otherwise: int) -> int:

@@ -14,7 +14,7 @@ from bumpless.contract.messages import MESSAGES, decoded, encoded, stamp_of
 from bumpless.metrics import as_dict
 from bumpless.runs import names
 from bumpless.runs.columns import figures_of_file
-from bumpless.runs.figures import Figures, json_bytes
+from bumpless.runs.figures import Figures, json_bytes, outcome_event
 from bumpless.runs.info import run_info
 from bumpless.runs.mcap_file import McapFile
 from bumpless.runs.names import CONTEXT, DESCRIPTION, PARAMETERS_STATUS, PLAN
@@ -47,6 +47,7 @@ class RunWriter:
         self.status = status  # the newest that the vehicle said
         self.messages = 0  # of the bus
         self.flushed_bytes = 0
+        self.outcome: pb.Event | None = None  # once finished, where the run could be judged
         self._first_status = status
         self._views = Views(views)
         self._said: dict[str, Message] = {}  # CONTEXT by topic
@@ -87,11 +88,18 @@ class RunWriter:
         self._flush()
 
     def finish(self, state: str, reason: str, dropped: int = 0, figures: Figures | None = None) -> None:
-        """Write the figures (computed from the file when None) and the end, and close the file."""
+        """Write how the run ended, and close the file.
+
+        The outcome as its last event, the figures (computed from the file when None) and the end's record.
+        """
         try:
             self.flush()
             if figures is None:
-                figures = _figures(self.path, self.run_id, state, self.status)
+                figures = _figures(self.path, self.run_id, state, self.status, reason)
+            if figures is not None:
+                self.outcome = outcome_event(figures[1], self.status)
+                payload, kind = encoded(self.outcome), self.outcome.DESCRIPTOR.full_name
+                self.write(names.EVENT, kind, payload, self._end_ns, self.outcome)
             end = {
                 "state": state,
                 "reason": reason,
@@ -176,10 +184,10 @@ def _is_other_plan(said: Message, status: pb.MissionStatus) -> bool:
     return isinstance(said, pb.Plan) and said.sha256 != status.mission_sha256
 
 
-def _figures(path: Path, run_id: str, state: str, status: pb.MissionStatus) -> Figures | None:
+def _figures(path: Path, run_id: str, state: str, status: pb.MissionStatus, reason: str) -> Figures | None:
     """The figures of a file; None without. A run is worth keeping without its figures."""
     try:
-        return figures_of_file(path, run_id, state, status.phase)
+        return figures_of_file(path, run_id, state, status.phase, reason)
     except Exception:
         log.exception("the metrics of %s could not be computed", path)
         return None

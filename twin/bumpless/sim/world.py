@@ -27,7 +27,7 @@ def clear(record: np.void) -> None:
 
 
 def place_plant(truth: np.void, sensors: np.void, plant: np.void, rng: np.random.Generator) -> None:
-    """Put the plant at the mission's start; draw the sensors' biases, which last a run, into the truth."""
+    """Put the plant at the mission's start; add the sensors' biases, drawn once a run, to the truth."""
     clear(plant)
     plant["eta"] = truth["start"]
     psi, environment = plant["eta"][5], truth["environment"]
@@ -41,8 +41,8 @@ def place_plant(truth: np.void, sensors: np.void, plant: np.void, rng: np.random
     plant["nu"][1] = -current[0] * np.sin(psi) + current[1] * np.cos(psi)
     plant["effectiveness"] = 1.0
     draws = rng.standard_normal(4)
-    truth["errors"]["heading_bias"] = draws[0] * sensors["heading_bias_std"]
-    truth["errors"]["depth_bias"] = draws[1] * sensors["depth_bias_std"]
+    truth["errors"]["heading_bias"] += draws[0] * sensors["heading_bias_std"]
+    truth["errors"]["depth_bias"] += draws[1] * sensors["depth_bias_std"]
     plant["gust"][:2] = draws[2:4] * environment["gust_std"]
     draw_more(truth["errors"], sensors, plant, rng.spawn(1)[0])
 

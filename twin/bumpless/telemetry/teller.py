@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from bumpless.config.vehicle import Vehicle
     from bumpless.sim.events import TwinEvent
 
+SLOW = ("mission", "plan", "parameters", "description", "health")  # said of the flight, not of a row
 END_EVENTS = ("mission_completed", "mission_aborted")  # their text is the run's end reason
 
 
@@ -76,6 +77,7 @@ class Teller:
             self._context = self._context.with_parameters(state.parameters)
         own = messages(row, self._context, time_ns, cycle)
         stamp: pb.Stamp = own[0][1].stamp  # type: ignore[attr-defined]
+        own = [one for one in own if self._due(one[0].removeprefix("tlm/"))]
         self._stamp = stamp
         phase = int(row["phase"])
         events = [("event", self._event(stamp, one)) for one in happened]
@@ -100,6 +102,10 @@ class Teller:
         assert message is not None
         return message
 
+    def _due(self, name: str) -> bool:
+        """Whether this cycle says the topic, as far as its rate goes."""
+        return self._told % self._every.get(name, 1) == 0
+
     def _slow(self, stamp: pb.Stamp, state: status.FlightState, phase: int) -> Iterator[tuple[str, Message]]:
         before = self._state
         changed = {
@@ -107,8 +113,8 @@ class Teller:
             "plan": before is None or state.mission is not before.mission,
             "parameters": before is None or state.revision != before.revision,
         }
-        for name, every in self._every.items():
-            if self._told % every and not changed.get(name, False):
+        for name in SLOW:
+            if not self._due(name) and not changed.get(name, False):
                 continue
             message = self._slow_message(name, stamp, state, phase)
             if message is not None:

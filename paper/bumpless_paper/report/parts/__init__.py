@@ -20,6 +20,7 @@ PARTS: dict[str, tuple[str, str]] = {
     "table6": ("study", "table6_part"),
     "table7": ("study", "table7_part"),
     "table8": ("study", "table8_part"),
+    "honest": ("honest", "part"),
     "diagnosis": ("diagnosis", "part"),
     "robustness": ("robustness", "part"),
     "extensions": ("extensions", "part"),

@@ -4,12 +4,12 @@ import math
 from functools import cache
 from typing import Annotated, Any, Literal, TypeVar
 
-from google.protobuf import json_format
 from google.protobuf.descriptor import Descriptor, FieldDescriptor
 from google.protobuf.message import Message
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, create_model
 
 from bumpless.contract import bumpless_pb2 as pb
+from bumpless.contract.messages import as_json
 
 
 def _finite(value: Any) -> Any:
@@ -93,13 +93,6 @@ class CommandReply(model_of(pb.CommandReply)):
     reason: str
     problems: list[Problem]
     revision: int  # of the parameters; small enough for a number
-
-
-def as_json(message: Message) -> dict[str, Any]:
-    """A contract message as JSON with its own field names, zeros included."""
-    return json_format.MessageToDict(
-        message, preserving_proto_field_name=True, always_print_fields_with_no_presence=True
-    )
 
 
 def told(message: Message, model: type[Told]) -> Told:

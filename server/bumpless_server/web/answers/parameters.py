@@ -6,14 +6,14 @@ from bumpless_server.web.answers.contract import Answer, Parameters
 
 
 class Range(Answer):
-    """What one live-tunable number may be. `count`: the length of a vector."""
+    """What one live-tunable number may be. `count`: 0 for one number, -1 for one per command."""
 
     path: str
     unit: str
     min: float
     max: float
     label: str
-    count: int | str | None
+    count: int
 
 
 class ParametersAnswer(Answer):

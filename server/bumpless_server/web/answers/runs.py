@@ -3,6 +3,7 @@
 from datetime import datetime
 from typing import Literal
 
+from bumpless.metrics import Ending
 from bumpless_server.web.answers.contract import Answer, Metrics, Number
 
 
@@ -21,4 +22,6 @@ class RunAnswer(Answer):
     dropped: int
     state: Literal["recording", "complete", "interrupted"]
     end_reason: str
+    outcome: Ending | None  # None: not judged, or not yet
+    outcome_reason: str
     metrics: Metrics | None

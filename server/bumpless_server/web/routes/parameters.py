@@ -8,6 +8,7 @@ from fastapi.concurrency import run_in_threadpool
 from pydantic import ValidationError
 
 from bumpless.contract import bumpless_pb2 as pb
+from bumpless.contract.messages import as_json
 from bumpless_server.live import tuning
 from bumpless_server.web.answers.contract import CommandReply
 from bumpless_server.web.answers.parameters import ParametersAnswer, Preset
@@ -34,8 +35,8 @@ def parameters(console: Served) -> ParametersAnswer:
     if not isinstance(status, pb.ParametersStatus):
         raise Refusal(404, f"vehicle {console.state.vehicle_id} has not told its parameters yet")
     answer = {
-        "active": tuning.as_json(status.active),
-        "defaults": tuning.as_json(status.defaults),
+        "active": as_json(status.active),
+        "defaults": as_json(status.defaults),
         "revision": status.revision,
         "sha256": status.sha256,
         "ranges": tuning.ranges(),
@@ -87,7 +88,7 @@ async def save(console: Served, request: Request, name: str) -> Preset:
     def keep() -> Preset:
         # What is kept is what was understood: {"parameters": {...}} as read, or the object itself.
         inner = given.get("parameters", given) if isinstance(given, dict) else given
-        console.presets.save(name, tuning.as_json(tuning.parse(inner, console.vehicle())))
+        console.presets.save(name, as_json(tuning.parse(inner, console.vehicle())))
         return Preset.model_validate(console.presets.get(name))
 
     return await run_in_threadpool(keep)

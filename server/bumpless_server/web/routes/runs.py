@@ -28,7 +28,8 @@ def _started(started_ns: int) -> datetime:
 
 def _finished(row: Row) -> RunAnswer:
     told = row.as_dict()
-    return RunAnswer.model_validate(told | {"started": _started(told.pop("started_ns"))})
+    made = {"started": _started(told.pop("started_ns")), "outcome": told["outcome"] or None}
+    return RunAnswer.model_validate(told | made)
 
 
 def _going_on(run: RunWriter) -> RunAnswer:
@@ -46,6 +47,8 @@ def _going_on(run: RunWriter) -> RunAnswer:
         dropped=0,
         state=RECORDING,
         end_reason="",
+        outcome=None,
+        outcome_reason="",
         metrics=None,
     )
 

@@ -3,7 +3,7 @@
 from fastapi import APIRouter
 
 from bumpless.contract import bumpless_pb2 as pb
-from bumpless_server.web.answers.contract import as_json
+from bumpless.contract.messages import as_json
 from bumpless_server.web.answers.refusal import REFUSALS
 from bumpless_server.web.answers.status import Event, Health, Status, VehicleAnswer
 from bumpless_server.web.errors import Refusal

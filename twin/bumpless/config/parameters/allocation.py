@@ -9,7 +9,7 @@ from bumpless.config.parameters.modes import PER_WRENCH
 Allocator = Literal["mdca", "wls", "pid_direct"]
 Solver = Literal["osqp", "active_set", "daqp"]
 Effectiveness = Literal["known", "estimated"]
-DirectMap = Literal["thrust", "shaft_speed"]
+DirectMap = Literal["thrust", "shaft_speed", "thrust_in_flow"]
 ONES = (1.0,) * 6
 
 
@@ -72,7 +72,7 @@ class AllocationParameters:
     direct_map: Annotated[
         DirectMap,
         Choice("What pid_direct maps the demand to", record="direct_map",
-               help="To thrust, or straight to shaft speed."),
+               help="To thrust, straight to shaft speed, or to thrust with what the inflow takes made up."),
     ] = "thrust"  # fmt: skip
     degraded_map: Annotated[
         bool,

@@ -41,7 +41,7 @@ def _check_rows(parameters: Parameters, n_u: int) -> Iterator[tuple[str, object,
 
 
 def _check_supervisor(parameters: Parameters) -> Iterator[tuple[str, object, str]]:
-    """d_RH^L < d_RH^U < d_FR^L < d_FR^U < d_HF^U, and M of N. Source: Gao et al. 2026, eq. (53)."""
+    """d_RH^L < d_RH^U < d_FR^L < d_FR^U < d_HF^U, and M of N: what eq. (53) needs."""
     supervisor = parameters.supervisor
     for lower, upper in pairwise(_ASCENDING):
         low, high = getattr(supervisor, lower), getattr(supervisor, upper)

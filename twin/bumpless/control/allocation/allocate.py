@@ -1,14 +1,16 @@
 """The commands of one cycle by the chosen allocator, and the wrench they achieve."""
 
+from bumpless.config.parameters.records import word_codes
 from bumpless.contract.enums import INFEASIBLE, REFUSED
 from bumpless.control.allocation.baselines import allocate_direct, allocate_wls
 from bumpless.control.allocation.bounds import command_bounds, limited_channels
 from bumpless.control.allocation.easing import missed_wrench
 from bumpless.control.allocation.mdca import allocate_mdca
-from bumpless.control.allocation.record import MDCA, WLS
 from bumpless.jit import jit
 from bumpless.jit.clock import monotonic
 from bumpless.physics.actuators import total_wrench
+
+MDCA, WLS, PID_DIRECT = word_codes("allocation", "allocator")
 
 
 @jit

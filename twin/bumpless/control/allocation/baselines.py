@@ -7,10 +7,12 @@ Both are linear at rest, where only the first command of an actuator has an effe
 import numpy as np
 
 from bumpless.contract.enums import SOLVED
-from bumpless.control.allocation.record import SPEED_LINEAR
+from bumpless.control.allocation.record import SPEED_LINEAR, THRUST_IN_FLOW
 from bumpless.control.allocation.wrench_map import wrench_map
 from bumpless.jit import jit
 from bumpless.physics.actuators import to_command, to_x
+from bumpless.physics.actuators.geometry import inflow_along
+from bumpless.physics.actuators.thruster import thrust_scale
 
 _DAMPING = 1e-6
 
@@ -94,7 +96,8 @@ def allocate_direct(direct_map, surge, model, problem, solution, w):
 
     Forces go to what pushes and moments to what steers, if there are any of both; neither group
     knows what the other, the drag or the present flow does. A thruster's demand becomes thrust
-    (THRUST_LINEAR) or, as a PID output scaled to the shaft's range, shaft speed (SPEED_LINEAR).
+    (THRUST_LINEAR); thrust with what the inflow takes at the last command made up (THRUST_IN_FLOW); or, as a
+    PID output scaled to the shaft's range, shaft speed (SPEED_LINEAR).
     """
     n = model.n_u
     steering, pushing = 0, 0
@@ -121,6 +124,12 @@ def allocate_direct(direct_map, surge, model, problem, solution, w):
             for i in range(n):
                 w.trial[i] = 1.0 if model.steers[i] == group and model.part[i] == 0 else 0.0
             _pseudo_inverse(model, problem.R, w, problem.tau_d, w.channel, w.trial, w.x)
+    if direct_map == THRUST_IN_FLOW:
+        for i in range(n):
+            if model.steers[i] == 0 and model.part[i] == 0:
+                d = model.direction[i]
+                taken = model.T_nv[i] * inflow_along(model, i, problem.nu_flow, d[0], d[1], d[2])
+                w.x[i] += taken * abs(problem.u_previous[i]) / thrust_scale(model, i)
     if direct_map == SPEED_LINEAR:
         for i in range(n):
             if model.steers[i] == 0:

@@ -1,4 +1,4 @@
-"""The admissible commands of one cycle: amplitude and increment bounds. Source: Gao et al. 2026, eq. (48)."""
+"""The admissible commands of one cycle: amplitude and increment bounds."""
 
 from bumpless.jit import jit
 
@@ -8,6 +8,8 @@ _AUTHORITY = 0.1  # less than this share of the strongest is a side effect, not 
 @jit
 def command_bounds(model, u_previous, dt, lower, upper, du_max):
     """Fill lower, upper, du_max (8,): u_min <= u <= u_max and |u - u_prev| <= rate dt. False if empty.
+
+    Source: Gao et al. 2026, eq. (35)-(36), (48).
 
     Where the two contradict each other (the last command lies outside its amplitude), the increment
     bound wins: the command moves towards the amplitude as fast as it may.

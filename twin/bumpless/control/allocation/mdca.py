@@ -54,7 +54,10 @@ def price_increments(price, x, x_previous, n, H, g):
 
 @jit
 def allocation_cost(Q, R, lam, tau_d, tau, x, n):
-    """||tau_d - tau||_Q^2 + lambda ||x||_R^2 with diagonal Q (6,) and R (8,)."""
+    """||tau_d - tau||_Q^2 + lambda ||x||_R^2 with diagonal Q (6,) and R (8,).
+
+    Source: Gao et al. 2026, eq. (47).
+    """
     cost = 0.0
     for k in range(6):
         r = tau_d[k] - tau[k]
@@ -66,7 +69,10 @@ def allocation_cost(Q, R, lam, tau_d, tau, x, n):
 
 @jit
 def normal_equations(Q, R, lam, tau_d, tau, jacobian, x, n, H, g):
-    """Gauss-Newton Hessian H = G'QG + lambda R and gradient g = -G'Q r + lambda R x (halved cost)."""
+    """Gauss-Newton Hessian H = G'QG + lambda R and gradient g = -G'Q r + lambda R x (halved cost).
+
+    Source: Gao et al. 2026, eq. (51).
+    """
     for i in range(n):
         s = lam * R[i] * x[i]
         for k in range(6):
@@ -161,6 +167,7 @@ def allocate_mdca(handle, settings, model, problem, solution, w):
     """Solve one cycle's PROBLEM: the SOLUTION's commands, status, iterations, kkt and cost.
 
     settings: ALLOCATION_SETTINGS; w: ALLOCATION_WORK. A demand that is not finite is refused.
+    Source: Gao et al. 2026, eq. (45)-(52), (57): the start is the last command within the new bounds.
     """
     n, p = model.n_u, problem
     for k in range(6):

@@ -7,8 +7,7 @@ from bumpless.config.parameters.records import section_dtype, word_codes
 
 f8, i8 = np.float64, np.int64
 
-MDCA, WLS, PID_DIRECT = word_codes("allocation", "allocator")
-THRUST_LINEAR, SPEED_LINEAR = word_codes("allocation", "direct_map")  # direct maps of S1
+THRUST_LINEAR, SPEED_LINEAR, THRUST_IN_FLOW = word_codes("allocation", "direct_map")  # direct maps of S1
 
 ALLOCATION_SETTINGS = section_dtype("allocation")
 

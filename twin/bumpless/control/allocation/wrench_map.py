@@ -15,7 +15,7 @@ def wrench_map(model, x, u_previous, effectiveness, nu_r, tau, jacobian):
     """Fill tau (6,) = G(x) and jacobian (6, 8) = dG/dx, N and N m per unit of x.
 
     u_previous (8,): last command, for the inflow term; effectiveness (8,): as the allocator believes
-    it to be; nu_r (6,): estimated velocity through water.
+    it to be; nu_r (6,): estimated velocity through water. Source: eq. (27)-(34), (46), (50).
     """
     for k in range(6):
         tau[k] = 0.0

@@ -6,14 +6,19 @@ Source: Gao et al. 2026, eq. (41) (adaptive line of sight); Fossen & Aguiar 2024
 
 from math import atan, sqrt
 
-from bumpless.control.guidance.record import AALOS
+from bumpless.config.parameters.records import word_codes
 from bumpless.jit import jit
 from bumpless.physics.frames import wrap
+
+ALOS, AALOS = word_codes("guidance", "law")
 
 
 @jit
 def steer(dt, settings, path_heading, y_e, adapt, guidance):
-    """psi_d of the chosen law, rad; updates guidance.b where it may `adapt`. y_e: cross-track error, m."""
+    """psi_d of the chosen law, rad; updates guidance.b where it may `adapt`. y_e: cross-track error, m.
+
+    Source: Gao et al. 2026, eq. (41).
+    """
     delta = settings.look_ahead
     if settings.law == AALOS:
         if adapt:

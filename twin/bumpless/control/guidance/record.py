@@ -2,11 +2,9 @@
 
 import numpy as np
 
-from bumpless.config.parameters.records import section_dtype, word_codes
+from bumpless.config.parameters.records import section_dtype
 
 f8, i8 = np.float64, np.int64
-
-ALOS, AALOS = word_codes("guidance", "law")
 
 GUIDANCE_SETTINGS = section_dtype("guidance")
 

@@ -27,7 +27,10 @@ TRUST = (
 
 
 def fill(model: "np.record", i: int, fin: "Fin", rho: float) -> None:
-    """Fill slot i of a MODEL record from the vehicle file's entry; angles become radians."""
+    """Fill slot i of a MODEL record from the vehicle file's entry; angles become radians.
+
+    Source: eq. (13), (35)-(36).
+    """
     model["position"][i] = fin.position_m
     model["direction"][i] = fin.direction
     model["command_min"][i] = -math.radians(fin.deflection_max_deg)
@@ -155,6 +158,7 @@ def to_command(model, i, x):
 def add_map(model, i, x, u_previous, alpha, nu_r, tau, column):
     """Add alpha times the wrench at x (8,) to tau (6,), and its derivative to column[i] (6,).
 
+    Source: eq. (27)-(34).
     With model.fins_coast the drag is taken as given, at the last command: fins do not brake.
     """
     e, scale = model.direction[i], model.command_max[i]

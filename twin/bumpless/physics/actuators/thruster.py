@@ -35,7 +35,7 @@ def fill(model: np.record, i: int, thruster: "Thruster", rho: float) -> None:
 
 
 def fill_screw(model: np.record, i: int, screw: "Screw", rho: float) -> None:
-    """All of a screw but for where it pushes."""
+    """All of a screw but for where it pushes. Source: eq. (11)-(12), (35)-(36)."""
     D, inflow = screw.diameter_m, 1.0 - screw.wake_fraction
     model["position"][i] = screw.position_m
     model["command_min"][i] = screw.shaft_speed_min_rpm / 60.0
@@ -75,7 +75,7 @@ def thrust_scale(model, i):
 @inline
 def thrust_and_torque(model, i, n, inflow):
     """(T, Q): thrust (N) and shaft torque (N m) along the screw's axis, along which the water flows at
-    `inflow`, m/s. Source: eq. (9)."""
+    `inflow`, m/s. Source: eq. (8)-(10)."""
     thrust = bollard_thrust(model, i, n) - model.T_nv[i] * abs(n) * inflow
     torque = model.Q_nn[i] * n * abs(n) - model.Q_nv[i] * abs(n) * inflow
     return thrust, torque
@@ -125,7 +125,10 @@ def to_command(model, i, x):
 
 @inline
 def add_map(model, i, x, u_previous, alpha, nu_r, tau, column):
-    """Add alpha times the wrench at x (8,) to tau (6,), and its derivative to column[i] (6,)."""
+    """Add alpha times the wrench at x (8,) to tau (6,), and its derivative to column[i] (6,).
+
+    Source: eq. (27)-(34).
+    """
     e, scale = model.direction[i], thrust_scale(model, i)
     z = x[i] * scale
     speed = abs(u_previous[i])

@@ -20,6 +20,8 @@ def actuator_wrench(model, i, u, nu_r, out):
 def total_wrench(model, u, effectiveness, nu_r, out):
     """out (6,) = sum over actuators, each scaled by its effectiveness (1 = healthy).
 
+    Source: Gao et al. 2026, eq. (21).
+
     Summed in six numbers, not in memory: the compiler then keeps them, and nu_r, in registers.
     """
     X = Y = Z = K = M = N = 0.0

@@ -1,7 +1,6 @@
-// What a run is doing now: recording, complete or interrupted; how long and how large.
+// What a run is doing now: how long and how large.
 import type { RunSummary } from "../api/types";
 import { live } from "../stream/store";
-import { CheckIcon, RecordIcon, WarningIcon } from "../ui/icons";
 
 /** A run being recorded grows on the stream, without asking the server again. */
 export function useNow(run: RunSummary): { duration_s: number | null | undefined; bytes: number } {
@@ -12,19 +11,4 @@ export function useNow(run: RunSummary): { duration_s: number | null | undefined
     duration_s: mission?.runId === run.id ? mission.elapsedS : run.duration_s,
     bytes: status?.recordingRunId === run.id ? Number(status.recordedBytes) : run.bytes,
   };
-}
-
-const STATES: Record<RunSummary["state"], { look: string; Icon: typeof CheckIcon }> = {
-  recording: { look: "recording", Icon: RecordIcon },
-  complete: { look: "live", Icon: CheckIcon },
-  interrupted: { look: "stale", Icon: WarningIcon },
-};
-
-export function RunState({ state }: { state: RunSummary["state"] }) {
-  const { look, Icon } = STATES[state] ?? STATES.interrupted;
-  return (
-    <span class="chip" data-look={look}>
-      <Icon size={11} /> {state}
-    </span>
-  );
 }
