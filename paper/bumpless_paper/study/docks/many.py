@@ -55,9 +55,8 @@ def main() -> None:
     rows = fly_cases(range(a.first, a.first + a.count), a.kind, a.heading, workers=a.workers)
     counts = Counter(row.outcome for row in rows)
     docked = share_of(counts["docked"], len(rows))
-    print(
-        f"{a.kind} {a.heading or 'drawn heading'}: {dict(counts)}; docked {docked.low:.1%} to {docked.high:.1%}"
-    )
+    heading = a.heading or "drawn heading"
+    print(f"{a.kind} {heading}: {dict(counts)}; docked {docked.low:.1%} to {docked.high:.1%}")
     for row in rows:
         if row.outcome not in ("docked", "waved_off"):
             print(row)
