@@ -169,7 +169,7 @@ def contrast(one: str, other: str) -> float:
 
 
 def test_the_run_that_is_over_says_how_it_ended(console: Page, server: ContractServer) -> None:
-    """Protects: "completed" alone says nothing; the judgement of this run, not of another, takes its place."""
+    """Protects: "completed" alone says nothing; the judgement of this very run takes its place."""
     server.keep_saying(flight.hello(pb.MISSION_PHASE_COMPLETED))
     phase = console.get_by_label("Mission phase")
     expect(phase).to_have_text("Over")

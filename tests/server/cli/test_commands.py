@@ -72,7 +72,7 @@ def test_run_prints_json_and_writes_a_log(short: Path, tmp_path: Path) -> None:
 
 
 def test_a_required_outcome_is_the_exit_code(short: Path, tmp_path: Path) -> None:
-    """Protects: a script that flies learns from the code alone whether it docked; the log is written anyway."""
+    """Protects: a script learns from the code alone whether it docked; the log is written anyway."""
     out = tmp_path / "short.mcap"
     said, error = bumpless("run", short, "--out", out, "--require", "docked, held", code=NOT_AS_REQUIRED)
     assert said.splitlines()[1].startswith("Time over: the time was over before hover, truly ")
