@@ -45,8 +45,10 @@ def _findings(rows: dict[str, Any]) -> str:
         docked = "No row docks on any plant"
     four = rows["S4"]
     return (
-        f"{docked}; the whole method (S4) docks on {share(four['docked'])} and goes through the dock's plane on "
-        f"{share(four['collided'])}. Until 15 s after the ramp the gentlest is {gentlest['title']}, whose largest "
+        f"{docked}; the whole method (S4) docks on {share(four['docked'])} and goes through the dock's plane "
+        "on "
+        f"{share(four['collided'])}. Until 15 s after the ramp the gentlest is {gentlest['title']}, whose "
+        "largest "
         f"step is {number(_largest_step(gentlest), 2)} on the median plant; S4's is "
         f"{number(_largest_step(four), 2)}, of which the paper's window shows "
         f"{number(max(four['median']['window_FR'], four['median']['window_RH']), 2)}."
