@@ -58,7 +58,7 @@ def test_a_mission_is_uploaded_flown_tuned_aborted_and_kept(page: Page, running:
 
     show(page, "Runs")
     row = page.get_by_label("Runs", exact=True).get_by_role("row").nth(1)
-    expect(row).to_contain_text("complete")
+    expect(row).to_contain_text("aborted")
     expect(page.get_by_label("Metrics", exact=True)).to_contain_text("RMS e_τ")
     with page.expect_download() as download:
         page.get_by_role("link", name="Download MCAP").click()

@@ -178,5 +178,5 @@ def test_the_run_that_is_over_says_how_it_ended(console: Page, server: ContractS
         flight.event(90.0, pb.SEVERITY_INFO, "outcome", "Docked: long ago.", ending="docked", run="another")
     )
     server.say(flight.event(90.5, pb.SEVERITY_INFO, "outcome", text, ending="held", run=RUN_ID))
-    expect(phase).to_contain_text("held")
+    expect(phase).to_contain_text("Held")
     expect(console.get_by_label("Mission control")).to_contain_text(text)

@@ -82,6 +82,10 @@ function judged(runId: string | undefined): Event | undefined {
   return live.events.find(({ code, details }) => code === "outcome" && details.run?.startsWith(runId));
 }
 
+function capital(word: string): string {
+  return word.charAt(0).toUpperCase() + word.slice(1);
+}
+
 function Progress() {
   const status = live.latest("tlm/mission");
   const outcome = judged(status?.runId);
@@ -97,7 +101,7 @@ function Progress() {
       >
         {ending ? (
           <>
-            <ending.Icon size={11} /> {ending.word}
+            <ending.Icon size={11} /> {capital(ending.word)}
           </>
         ) : (
           PHASES[phase.value]

@@ -54,9 +54,11 @@ def test_a_run_holds_each_of_its_messages_with_the_bytes_of_the_bus(
         for topic, digest, cycle, of in lines
         if of == run and topic in (*PER_CYCLE, "event") and int(cycle) <= ended
     )
-    *records, (_, last_record) = log_messages(path, {*PER_CYCLE, "event"})
-    assert pb.Event.FromString(last_record.data).code == "outcome"  # the server's judgement, after all of it
-    kept = Counter((topic, hashlib.sha256(record.data).hexdigest()) for topic, record in records)
+    kept = Counter(
+        (topic, hashlib.sha256(record.data).hexdigest())
+        for topic, record in log_messages(path, {*PER_CYCLE, "event"})
+    )
+    assert row["outcome"] is None  # this vehicle describes itself in no terms that a flight can be judged by
     assert spoken == kept and sum(kept.values()) > 40
     last = [pb.MissionStatus.FromString(r.data) for _, r in log_messages(path, {"tlm/mission"})][-1]
     assert last.phase == pb.MISSION_PHASE_COMPLETED

@@ -8,6 +8,7 @@ from mcap.records import Attachment, Channel, Message, Metadata, Schema
 from mcap.stream_reader import StreamReader
 
 from bumpless.runs.names import ENDING
+from bumpless.runs.summary import summarise
 from bumpless_server.live.sample import Sample
 from bumpless_server.runs.recorder import Recorder
 from bumpless_server.views.foxglove import Foxglove
@@ -45,6 +46,25 @@ def recorded(folder: Path, flight: Flight, clock: Clock, delay_ns: int = 0, tick
             recorder._worker._on_time()
     recorder._close()
     return folder / f"{flight.run.info.id}{ENDING}"
+
+
+def test_the_operator_hears_how_a_recorded_run_ended(
+    flight: Flight, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Protects: the server's judgement reaches the screen and the list, and is the saved run's own."""
+    Clock(monkeypatch)
+    told: list[tuple] = []
+    recorder = Recorder(tmp_path, lambda *said: told.append(said), lambda _: None)
+    for time_ns, topic, schema, payload in flight.bus:
+        recorder._worker._handle(Sample(topic, schema, payload, time_ns))
+    recorder._close()
+    outcome, run = flight.run.outcome, flight.run.info.id
+    assert [(code, text, details["run"]) for _, code, text, details in told] == [
+        ("outcome", outcome.sentence, run)
+    ]
+    summary = summarise(tmp_path / f"{run}{ENDING}")
+    assert (summary.outcome, summary.outcome_reason) == (outcome.ending, outcome.reason)
+    assert summary.metrics is not None and summary.metrics["outcome"]["reason"] == outcome.reason
 
 
 def records(path: Path) -> list[object]:

@@ -1,5 +1,6 @@
 """Allocator by ramp on plants that no allocator's map fits: how flights end, track, step, and their cost."""
 
+import math
 import os
 from collections.abc import Sequence
 from typing import Any
@@ -38,20 +39,26 @@ def part(progress: Progress) -> Part:
 
 def _findings(rows: dict[str, Any]) -> str:
     best = max(rows.values(), key=lambda row: row["docked"])
-    gentle = max(rows.values(), key=lambda row: min(row["gentle_FR"], row["gentle_RH"]))
-    most = max(row["docked"] for row in rows.values())
-    docked = (
-        "No row docks on any plant" if most == 0.0 else f"{best['title']} docks most often, on {share(most)}"
-    )
+    gentlest = min(rows.values(), key=_largest_step)
+    docked = f"{best['title']} docks most often, on {share(best['docked'])}"
+    if best["docked"] == 0.0:
+        docked = "No row docks on any plant"
     four = rows["S4"]
     return (
         f"{docked}; the whole method (S4) docks on {share(four['docked'])} and goes through the dock's plane "
         "on "
-        f"{share(four['collided'])}. Gentlest, with no step above 0.05 of the bounds until 15 s after the "
-        "ramp, is "
-        f"{gentle['title']}: on {share(gentle['gentle_FR'])} of the plants from F to R, on "
-        f"{share(gentle['gentle_RH'])} from R to H."
+        f"{share(four['collided'])}. Until 15 s after the ramp the gentlest is {gentlest['title']}, whose "
+        "largest "
+        f"step is {number(_largest_step(gentlest), 2)} on the median plant; S4's is "
+        f"{number(_largest_step(four), 2)}, of which the paper's window shows "
+        f"{number(max(four['median']['window_FR'], four['median']['window_RH']), 2)}."
     )
+
+
+def _largest_step(row: dict[str, Any]) -> float:
+    """Median over the plants while settling, the larger of both switches; infinite where none switched."""
+    steps = [row["median"].get(f"settling_{switch}") for switch in ("FR", "RH")]
+    return max(math.inf if step is None else step for step in steps)
 
 
 def _endings(rows: dict[str, Any]) -> Grid:
