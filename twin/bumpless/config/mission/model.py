@@ -139,7 +139,7 @@ class Document:
     faults: Annotated[tuple[Fault, ...], Entries("Faults of actuators", most=MAX_FAULTS)] = ()
     parameters: Annotated[
         dict[str, Any], Overrides("Overrides of the vehicle's control parameters", of=Parameters)
-    ] = field(default_factory=dict)
+    ] = field(default_factory=dict[str, Any])
     end: Annotated[End, Part("Early end")] = End()
     trim: Annotated[Trim | None, Part("Ballast and buoyancy of the simulated vehicle")] = None
 

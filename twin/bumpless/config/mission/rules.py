@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterator, Mapping
 from itertools import pairwise
-from typing import Any
+from typing import Any, cast
 
 from bumpless.config.declare import Broken
 from bumpless.config.mission.model import Mission
@@ -43,7 +43,7 @@ def broken_overrides(tree: Mapping[str, Any], vehicle: Vehicle | None) -> list[B
             vehicle = load_vehicle(name)
         except (ProblemsError, OSError):
             return []
-    return [Broken(*one) for one in _parameters(overrides, vehicle)]
+    return [Broken(*one) for one in _parameters(cast("dict[str, Any]", overrides), vehicle)]
 
 
 def _parameters(overrides: Mapping[str, Any], vehicle: Vehicle) -> list[tuple[str, object, str]]:

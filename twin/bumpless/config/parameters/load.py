@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import Any, Protocol
+from typing import Any, Protocol, cast
 
 from bumpless.config.declare import Broken, Unread, as_table, fields_of, read, unknown
 from bumpless.config.parameters.model import Parameters
@@ -37,7 +37,8 @@ def default_parameters(vehicle: Tuned) -> Parameters:
     Keys that have a default in the declaration may be left out.
     Raises ParameterError with every problem; fields are dotted paths such as `forward.kp`.
     """
-    tables = {section: {} for section in fields_of(Parameters)} | dict(vehicle.control)
+    tables: dict[str, Any] = {section: dict[str, Any]() for section in fields_of(Parameters)}
+    tables.update(vehicle.control)
     try:
         return read(Parameters, tables)
     except Unread as error:
@@ -59,9 +60,9 @@ def with_overrides(parameters: Parameters, overrides: Mapping[str, Any]) -> Para
         elif not isinstance(table, Mapping):
             broken.append(Broken(name, table, "must hold named fields"))
         else:
-            present = getattr(parameters, name)
+            present, given = getattr(parameters, name), cast("Mapping[str, Any]", table)
             try:
-                changed[name] = read(type(present), as_table(present) | dict(table))
+                changed[name] = read(cast("type[Any]", type(present)), as_table(present) | dict(given))
             except Unread as error:
                 broken += [Broken(f"{name}.{one.path}", one.value, one.rule) for one in error.broken]
     if broken:

@@ -3,7 +3,7 @@
 Which fields that is the declarations say (`live=True`); the message has a field of the same name for each.
 """
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from bumpless.config.declare import Broken, Unread, as_table, fields_of, read, unknown
 from bumpless.config.parameters.load import with_overrides
@@ -55,13 +55,13 @@ def live_problems(given: Any) -> list[Problem]:
     """What is wrong with a whole set of live parameters as nested plain values; none may be absent."""
     if not isinstance(given, dict):
         return [Problem("", None, None, "", given, "must be an object of parameters")]
-    live = live_fields()
-    found = [Broken(str(name), None, unknown(name, live)) for name in given if name not in live]
+    live, sections = live_fields(), cast("dict[Any, Any]", given)
+    found = [Broken(str(name), None, unknown(name, live)) for name in sections if name not in live]
     for name, keys in live.items():
-        if name not in given:
+        if name not in sections:
             found.append(Broken(name, None, "is missing"))
             continue
-        wanted = _without_others(name, keys, given[name])
+        wanted = _without_others(name, keys, sections[name])
         found += [Broken(f"{name}.{one.path}" if one.path else name, one.value, one.rule) for one in wanted]
     return [Problem("", None, None, *one) for one in found]
 
@@ -70,13 +70,14 @@ def _without_others(name: str, keys: list[str], table: Any) -> list[Broken]:
     """What is wrong with the live part of a section; the fields that are not live are no part of it."""
     model = fields_of(Parameters)[name].kind
     others = [key for key in fields_of(model) if key not in keys]
-    strangers = [key for key in table if key in others] if isinstance(table, dict) else []
-    found = [Broken(key, table[key], "may not change in flight") for key in strangers]
+    known = cast("dict[Any, Any]", table) if isinstance(table, dict) else None
+    strangers = [key for key in known if key in others] if known else []
+    found = [Broken(key, (known or {})[key], "may not change in flight") for key in strangers]
     try:
         read(model, table)
     except Unread as error:
         found += [one for one in error.broken if one.path not in others]
-    missing = [key for key in keys if isinstance(table, dict) and key not in table]
+    missing = [key for key in keys if known is not None and key not in known]
     told = {one.path for one in found}
     return found + [Broken(key, None, "is missing") for key in missing if key not in told]
 

@@ -22,7 +22,7 @@ class Range:
 
 
 def _ranges() -> tuple[Range, ...]:
-    found = []
+    found: list[Range] = []
     for section, part in fields_of(Parameters).items():
         for key, field in fields_of(part.kind).items():
             note = field.note
