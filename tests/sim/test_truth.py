@@ -31,9 +31,9 @@ HARD = MOVED + (
     "  wave: {height_m: 0.05, period_s: 4}\n"
     "  disturbance_body_n_nm: [0, 0, 0.1, 0, 0.05, 0]\n"
     "sensors: {noise_scale: 2, outages: [{from_s: 40, to_s: 41}]}\n"
-    "faults: [{actuator: n_p, at_s: 30, effectiveness: 0.5, blend_s: 2}]\n"
+    "faults: [{actuator: n_p, at_s: 30, effectiveness: 0.9, blend_s: 2}]\n"
 )
-CYCLES = 1800
+CYCLES = 2400
 
 
 def flown(mission, vehicle, parameters):
