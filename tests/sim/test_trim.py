@@ -53,7 +53,8 @@ def test_only_the_true_vehicle_is_trimmed(ts100, docking) -> None:
     ("line", "field", "rule"),
     [
         ("trim: {weights: [{mass_kg: 1}]}", "trim.weights[0]", "needs from_m, to_m or both"),
-        ("trim: {weights: [{mass_kg: -1, to_m: [0, 0, 0]}]}", "trim.weights[0].mass_kg", "> 0"),
+        ("trim: {weights: [{mass_kg: -1, to_m: [0, 0, 0]}]}",
+         "trim.weights[0].mass_kg", "between 0.001 and 1000 in kg"),
         ("environment: {current_profile: [{depth_m: 3, current_ned_mps: [0, 0, 0]}, "
          "{depth_m: 3, current_ned_mps: [0, 0, 0]}]}",
          "environment.current_profile[1].depth_m", "deeper than the entry before"),

@@ -17,7 +17,7 @@ from bumpless.config.declare.record import codes, fill_record, record_dtype
 from bumpless.config.declare.reference import tables
 from bumpless.config.generate import ROOT, made
 from bumpless.config.mission.model import Document as MissionDocument
-from bumpless.config.parameters import RANGES, Parameters, default_parameters
+from bumpless.config.parameters import RANGES, Parameters, default_parameters, with_overrides
 from bumpless.config.parameters.records import section_dtype, word_codes
 from bumpless.config.vehicle import load_vehicle
 from bumpless.config.vehicle.model import Document as VehicleDocument
@@ -138,6 +138,7 @@ def test_the_record_is_si_and_made_from_the_declaration() -> None:
 def test_sections_fill_records_of_their_own() -> None:
     """Protects: the control modules' records, which are these calls."""
     parameters = default_parameters(load_vehicle("ts100"))
+    parameters = with_overrides(parameters, {"navigation": {"fix_gate_m": 1.0}})  # 0 by default
     for name in fields_of(Parameters):
         out = np.zeros(1, section_dtype(name))
         fill_record(getattr(parameters, name), out[0])

@@ -80,9 +80,35 @@ WHOLE: dict[str, Any] = {
     "environment": {
         "current_ned_mps": [0.1, 0, 0],
         "current_variation": {"std_mps": 0.01, "time_constant_s": 30},
-        "wave": {"height_m": 0.1, "period_s": 4, "direction_deg": 10},
+        "wave": {"height_m": 0.1, "period_s": 4, "direction_deg": 10, "second_order": True},
+        "current_profile": [{"depth_m": 3, "current_ned_mps": [0.1, 0, 0]}],
+        "shelter": {"width_m": 0.5, "drag_coefficient": 0.9, "growth": 0.05, "turbulence": 0.2},
+        "water_depth_m": 60,
+        "beam_attenuation_per_m": 1.0,
     },
-    "sensors": {"noise_scale": 2, "detection": {"range_max_m": 9}, "outages": [{"from_s": 1, "to_s": 2}]},
+    "sensors": {
+        "noise_scale": 2,
+        "detection": {"range_max_m": 9, "latency_s": 0.2},
+        "outages": [{"from_s": 1, "to_s": 2}],
+        "ins": {"heading_drift_degprth": 0.5},
+        "dvl": {"scale_error": 0.01, "altitude_max_m": 50},
+        "dvl_outages": [{"from_s": 1, "to_s": 2, "water_track": False}],
+        "near_camera": {
+            "position_m": [1, 0, 0],
+            "pitch_down_deg": 20,
+            "field_of_view_half_deg": 60,
+            "range_min_m": 0.1,
+            "range_max_m": 2,
+            "field_of_view": "cone",
+        },
+        "usbl": {
+            "rate_hz": 1,
+            "position_m": [1, 0, 0],
+            "range_max_m": 100,
+            "range_noise_m": 0.1,
+            "angle_noise_deg": 1,
+        },
+    },
     "faults": [{"actuator": "n_p", "at_s": 3, "effectiveness": 0.5}],
     "parameters": {
         "hover": {"lambda": 0.01, "kp": [1, 1, 1, 1, 1, 1], "r_diagonal": [1, 1]},
@@ -90,6 +116,7 @@ WHOLE: dict[str, Any] = {
         "bumpless": {"ramp": False, "integral_at_switch": "keep"},
     },
     "end": {"hover_hold_s": 10},
+    "trim": {"buoyancy_n": 1, "weights": [{"mass_kg": 0.6, "from_m": [0.3, 0, 0], "to_m": [0.35, 0, 0]}]},
 }
 SCHEMA = jsonschema.Draft202012Validator(mission_json_schema())
 DEFAULTS = default_parameters(load_vehicle("ts100"))

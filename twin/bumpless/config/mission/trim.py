@@ -17,7 +17,7 @@ def spot(label: str) -> Row:
 class Weight:
     """A weight that was moved; put on, when it has no place it came from; taken off, when none it went to."""
 
-    mass_kg: Annotated[float, Number("Mass", "kg", max=1000.0, above=0.0)]
+    mass_kg: Annotated[float, Number("Mass", "kg", 0.001, 1000.0)]
     from_m: Annotated[Vector3 | None, spot("Where it was, body axes")] = None
     to_m: Annotated[Vector3 | None, spot("Where it is, body axes")] = None
 

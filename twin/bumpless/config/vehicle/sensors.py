@@ -31,20 +31,15 @@ def share(label: str, record: str = "") -> Number:
     return Number(label, "", 0.0, 1.0, record=record)
 
 
-def place(record: str) -> Row:
-    """Where a sensor is on the hull."""
-    return Row("Place in body axes", "m", names=BODY, record=record)
+def place(record: str, most: float | None = None) -> Row:
+    """Where a sensor is on the hull, no farther than `most` m off along each axis."""
+    least = None if most is None else -most
+    return Row("Place in body axes", "m", least, most, names=BODY, record=record)
 
 
 def axis(i: int) -> Number:
     """Where camera i looks."""
     return Number("Optical axis below x_b", "deg", -90.0, 90.0, record=f"camera_pitch[{i}]")
-
-
-def half_angle(i: int) -> Number:
-    """How far off its axis camera i sees."""
-    return Number("Half angle of view", "deg", max=90.0, above=0.0, record=f"camera_half_angle[{i}]",
-                  help="Across; from axis to edge.")  # fmt: skip
 
 
 def half_vertical(i: int) -> Number:
@@ -114,7 +109,9 @@ class Camera:
     rate_hz: Annotated[float, rate()]
     position_m: Annotated[tuple[float, float, float], place("camera_position[0]")]
     pitch_down_deg: Annotated[float, axis(0)]
-    field_of_view_half_deg: Annotated[float, half_angle(0)]
+    field_of_view_half_deg: Annotated[
+        float, Number("Half angle of view", "deg", max=90.0, above=0.0, record="camera_half_angle[0]")
+    ]
     range_min_m: Annotated[float, Number("Nearest detection", "m", 0.0, record="camera_range_min[0]")]
     range_max_m: Annotated[float, Number("Farthest detection", "m", above=0.0, record="camera_range_max[0]")]
     range_noise_share: Annotated[
@@ -146,11 +143,15 @@ class Camera:
 class NearCamera:
     """A second camera for close range; rate, latency and errors are the first one's."""
 
-    position_m: Annotated[tuple[float, float, float], place("camera_position[1]")]
+    position_m: Annotated[tuple[float, float, float], place("camera_position[1]", 20.0)]
     pitch_down_deg: Annotated[float, axis(1)]
-    field_of_view_half_deg: Annotated[float, half_angle(1)]
-    range_min_m: Annotated[float, Number("Nearest detection", "m", 0.0, record="camera_range_min[1]")]
-    range_max_m: Annotated[float, Number("Farthest detection", "m", above=0.0, record="camera_range_max[1]")]
+    field_of_view_half_deg: Annotated[
+        float, Number("Half angle of view", "deg", 1.0, 90.0, record="camera_half_angle[1]")
+    ]
+    range_min_m: Annotated[float, Number("Nearest detection", "m", 0.0, 100.0, record="camera_range_min[1]")]
+    range_max_m: Annotated[
+        float, Number("Farthest detection", "m", 0.01, 100.0, record="camera_range_max[1]")
+    ]
     field_of_view: Annotated[FieldOfView, form(1)] = "rectangle"
     field_of_view_vertical_half_deg: Annotated[float, half_vertical(1)] = 0.0
 
@@ -159,11 +160,13 @@ class NearCamera:
 class Usbl:
     """Acoustic head that hears a transponder at the target: range and direction, for homing."""
 
-    rate_hz: Annotated[float, rate()]
-    position_m: Annotated[tuple[float, float, float], place("usbl_position")]
-    range_max_m: Annotated[float, Number("Farthest reply", "m", above=0.0, record="usbl_range_max")]
-    range_noise_m: Annotated[float, noise("Noise of the range", "m", "usbl_range_std")]
-    angle_noise_deg: Annotated[float, noise("Noise of bearing and elevation each", "deg", "usbl_angle_std")]
+    rate_hz: Annotated[float, Number("Replies a second", "Hz", 0.01, 100.0)]
+    position_m: Annotated[tuple[float, float, float], place("usbl_position", 20.0)]
+    range_max_m: Annotated[float, Number("Farthest reply", "m", 0.1, 1e4, record="usbl_range_max")]
+    range_noise_m: Annotated[float, Number("Noise of the range", "m", 0.0, 100.0, record="usbl_range_std")]
+    angle_noise_deg: Annotated[
+        float, Number("Noise of bearing and elevation each", "deg", 0.0, 45.0, record="usbl_angle_std")
+    ]
     dropout_probability: Annotated[float, share("Share of replies missed", "usbl_dropout")] = 0.0
     outlier_probability: Annotated[float, share("Share of false replies", "usbl_outlier")] = 0.0
 
