@@ -93,6 +93,9 @@ gen-code: $(DONE)/dev
 	$(PY) -m bumpless_server.web.generate console_web/src/gen build/openapi.json
 	$(NPM) .ci exec --offline -- openapi-typescript ../build/openapi.json --default-non-nullable=false --output ../console_web/src/gen/api.ts
 
+pictures: $(DONE)/compiled $(DONE)/dev console chromium docs  ## renew the pictures of the docs from a real flight (minutes)
+	@$(PY) -m tests.console.pictures
+
 MINUTES ?= 10
 results: $(DONE)/compiled  ## reproduce the paper and renew docs/results.md
 	$(BIN)/bumpless reproduce --out build/reproduce
@@ -173,5 +176,5 @@ $(DONE)/compiled: $(DONE)/project $(TWIN)
 	@$(PY) -m bumpless.sim.warm_up missions/docking.yaml
 	@touch $@
 
-.PHONY: help run test test-fast test-console check check-style check-imports check-types check-test-types check-console check-containers check-gen \
+.PHONY: help pictures run test test-fast test-console check check-style check-imports check-types check-test-types check-console check-containers check-gen \
 	check-leaks check-results check-figures check-docs check-declared gen gen-code docs release results bench bench-live format console chromium lock clean

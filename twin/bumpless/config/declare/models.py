@@ -17,7 +17,7 @@ from bumpless.config.declare.notes import Note, without_none
 
 MISSING: Any = PydanticUndefined
 T = TypeVar("T")
-_CONFIG = ConfigDict(extra="forbid", validate_by_name=True, validate_by_alias=True, defer_build=True)
+_CONFIG = ConfigDict(extra="forbid", validate_by_name=True, validate_by_alias=True)
 
 
 @dataclass_transform(frozen_default=True)
