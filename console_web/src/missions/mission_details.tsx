@@ -1,17 +1,17 @@
 // The chosen mission: what it is for, its path from above, its file as written.
 import { useComputed, useSignal, useSignalEffect } from "@preact/signals";
 import { ask } from "../api/client";
-import type { Answer, Refusal } from "../api/http";
+import type { Answer } from "../api/http";
 import { missions } from "../api/resources";
 import type { MissionDetail } from "../api/types";
 import { MissionPhase } from "../gen/bumpless_pb";
 import { clock, fixed } from "../lib/format";
 import { busy, chosen, mission as shown, startChosen } from "../shell/commands";
 import { flying, link, PHASES, phase } from "../stream/link";
-import { HoldButton } from "../ui/hold_button";
-import { PlayIcon, TrashIcon } from "../ui/icons";
+import { DeleteButton } from "../ui/delete_button";
+import { PlayIcon } from "../ui/icons";
 import { Empty, Panel } from "../ui/panel";
-import { ProblemTable, RefusalNotice } from "../ui/refusal";
+import { ProblemTable } from "../ui/refusal";
 import "../ui/facts.css";
 import "./mission_details.css";
 import { PlanSketch } from "./plan_sketch";
@@ -114,28 +114,16 @@ function StartHere({ name, valid }: { name: string; valid: boolean }) {
 }
 
 function Delete({ name }: { name: string }) {
-  const refusal = useSignal<Refusal | undefined>(undefined);
-  const remove = async (): Promise<void> => {
-    const answer = await ask("delete", "/api/missions/{name}", { path: { name } });
-    refusal.value = answer.ok ? undefined : answer;
-    if (!answer.ok) return;
-    chosen.value = "";
-    await missions.refresh();
-  };
   return (
-    <>
-      <HoldButton name={`Delete ${name}`} class="danger" holdMs={700} onHeld={() => void remove()}>
-        <TrashIcon /> Hold to delete
-      </HoldButton>
-      {refusal.value && (
-        <RefusalNotice
-          title="Not deleted."
-          refusal={refusal.value}
-          onClose={() => {
-            refusal.value = undefined;
-          }}
-        />
-      )}
-    </>
+    <DeleteButton
+      name={`Delete ${name}`}
+      holdMs={700}
+      remove={() => ask("delete", "/api/missions/{name}", { path: { name } })}
+      after={async (gone) => {
+        if (!gone) return;
+        chosen.value = "";
+        await missions.refresh();
+      }}
+    />
   );
 }

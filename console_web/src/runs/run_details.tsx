@@ -2,14 +2,13 @@
 import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { address, ask } from "../api/client";
-import type { Answer, Refusal } from "../api/http";
+import type { Answer } from "../api/http";
 import { runs } from "../api/resources";
 import type { Metrics, RunSummary } from "../api/types";
 import { bytes, clock, dateTime } from "../lib/format";
-import { HoldButton } from "../ui/hold_button";
-import { DownloadIcon, TrashIcon } from "../ui/icons";
+import { DeleteButton } from "../ui/delete_button";
+import { DownloadIcon } from "../ui/icons";
 import { Empty, Panel } from "../ui/panel";
-import { RefusalNotice } from "../ui/refusal";
 import "../ui/facts.css";
 import { MetricsTables } from "./metrics_tables";
 import { OutcomeChip } from "./outcome";
@@ -90,37 +89,17 @@ export function RunDetails({ run }: { run: RunSummary }) {
 }
 
 function Delete({ run }: { run: RunSummary }) {
-  const refusal = useSignal<Refusal | undefined>(undefined);
-  const remove = async (): Promise<void> => {
-    const answer = await ask("delete", "/api/runs/{run}", { path: { run: run.id } });
-    refusal.value = answer.ok ? undefined : answer;
-    await runs.refresh();
-  };
+  const recording = run.state === "recording";
   return (
-    <>
-      <HoldButton
-        name={`Delete run ${run.id}`}
-        class="danger"
-        holdMs={1000}
-        disabled={run.state === "recording"}
-        title={
-          run.state === "recording"
-            ? "A run being recorded cannot be deleted"
-            : "Press and hold to delete the record for good"
-        }
-        onHeld={() => void remove()}
-      >
-        <TrashIcon /> Hold to delete
-      </HoldButton>
-      {refusal.value && (
-        <RefusalNotice
-          title="Not deleted."
-          refusal={refusal.value}
-          onClose={() => {
-            refusal.value = undefined;
-          }}
-        />
-      )}
-    </>
+    <DeleteButton
+      name={`Delete run ${run.id}`}
+      holdMs={1000}
+      disabled={recording}
+      title={
+        recording ? "A run being recorded cannot be deleted" : "Press and hold to delete the record for good"
+      }
+      remove={() => ask("delete", "/api/runs/{run}", { path: { run: run.id } })}
+      after={() => runs.refresh()}
+    />
   );
 }

@@ -15,6 +15,7 @@ from bumpless.runs.summary import summarise
 from bumpless_server.live.sample import Sample
 from bumpless_server.runs.disk_budget import DiskBudget
 from bumpless_server.runs.recorder import Recorder
+from tests.server.runs.clock import Clock
 
 
 def sample(topic: str, cycle: int, **fields) -> Sample:
@@ -138,17 +139,6 @@ def test_stopping_the_server_closes_the_run(tmp_path: Path) -> None:
     disk.recorder.offer(status(1, pb.MISSION_PHASE_RUNNING))
     (run,) = disk.finished()
     assert (run.state, run.end_reason) == ("interrupted", "the server was stopped")
-
-
-class Clock:
-    """The recorder's clock, moved by the test."""
-
-    def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
-        self.now = 1000.0
-        monkeypatch.setattr("bumpless_server.runs.recorder.time", self)
-
-    def monotonic(self) -> float:
-        return self.now
 
 
 def test_a_disk_that_keeps_failing_is_tried_after_longer_and_longer_pauses(

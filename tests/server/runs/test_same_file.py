@@ -13,6 +13,7 @@ from bumpless_server.live.sample import Sample
 from bumpless_server.runs.recorder import Recorder
 from bumpless_server.views.foxglove import Foxglove
 from tests.runs.flights import Flight, make_flight
+from tests.server.runs.clock import Clock
 
 DELAY_NS = 1_000_000  # from the vehicle to the server
 
@@ -21,17 +22,6 @@ DELAY_NS = 1_000_000  # from the vehicle to the server
 def flight(tmp_path_factory: pytest.TempPathFactory) -> Flight:
     """A docking flight's first minute."""
     return make_flight(tmp_path_factory.mktemp("flight"))
-
-
-class Clock:
-    """The recorder's clock: it stands, so that no flush is due, or runs with the messages."""
-
-    def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
-        self.now = 1000.0
-        monkeypatch.setattr("bumpless_server.runs.recorder.time", self)
-
-    def monotonic(self) -> float:
-        return self.now
 
 
 def recorded(folder: Path, flight: Flight, clock: Clock, delay_ns: int = 0, ticks: bool = False) -> Path:

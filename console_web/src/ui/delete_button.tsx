@@ -1,0 +1,48 @@
+// Delete by pressing and holding; what stands against it is shown beneath.
+import { useSignal } from "@preact/signals";
+import type { Answer, Refusal } from "../api/http";
+import { HoldButton } from "./hold_button";
+import { TrashIcon } from "./icons";
+import { RefusalNotice } from "./refusal";
+
+interface Props {
+  name: string;
+  holdMs: number;
+  disabled?: boolean;
+  title?: string;
+  remove: () => Promise<Answer<unknown>>;
+  /** After the answer; `gone` says whether it was deleted. */
+  after: (gone: boolean) => Promise<void>;
+}
+
+export function DeleteButton({ name, holdMs, disabled, title, remove, after }: Props) {
+  const refusal = useSignal<Refusal | undefined>(undefined);
+  const held = async (): Promise<void> => {
+    const answer = await remove();
+    refusal.value = answer.ok ? undefined : answer;
+    await after(answer.ok);
+  };
+  return (
+    <>
+      <HoldButton
+        name={name}
+        class="danger"
+        holdMs={holdMs}
+        disabled={disabled}
+        title={title}
+        onHeld={() => void held()}
+      >
+        <TrashIcon /> Hold to delete
+      </HoldButton>
+      {refusal.value && (
+        <RefusalNotice
+          title="Not deleted."
+          refusal={refusal.value}
+          onClose={() => {
+            refusal.value = undefined;
+          }}
+        />
+      )}
+    </>
+  );
+}
