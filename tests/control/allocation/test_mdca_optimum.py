@@ -158,7 +158,12 @@ def test_a_direction_of_negative_curvature_is_one():
 
 
 def test_fins_brake_where_the_screw_alone_cannot(ts100, model):
-    """Protects: at rest the fins are a saddle of the cost for want of drag; Gauss-Newton stays on it."""
+    """Protects: at rest the fins are a saddle of the cost for want of drag; Gauss-Newton stays on it.
+
+    Where fins may brake at all (`allocation.fins_brake`), as in the published scenarios.
+    """
+    model = np.array([model])[0]
+    model["fins_coast"] = 0
     p, solution, w, n = one(PROBLEM)[0], one(SOLUTION)[0], one(ALLOCATION_WORK)[0], int(model["n_u"])
     p["warm"], p["dt"] = 1, 0.05
     p["nu_flow"][0], p["effectiveness"], p["Q"], p["R"], p["lam"] = (
