@@ -15,7 +15,7 @@ import tomllib
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-ROOMS = ("physics", "control", "config/mission", "config/parameters")
+ROOMS = ("physics", "control", "config")
 PRODUCT = ("twin", "server", "paper", "docs", "hatch_build.py", "release.py")
 COMPILED = ("from bumpless.jit import", "import numba", "from numba")
 

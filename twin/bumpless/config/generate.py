@@ -54,7 +54,7 @@ def _page(title: str, about: str, cls: type) -> str:
 
 def main(arguments: list[str]) -> int:
     """Write what is out of date; with --check say so and fail instead."""
-    stale = []
+    stale: list[str] = []
     for name, text in made().items():
         path = ROOT / name
         if not path.is_file() or path.read_text(encoding="utf-8") != text:

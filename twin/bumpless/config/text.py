@@ -3,6 +3,7 @@
 import json
 import re
 
+from bumpless.config.plain import is_table
 from bumpless.config.problems import Problem
 
 BOM = "\ufeff"
@@ -54,7 +55,7 @@ def _json_kind(data: bytes | str) -> str | None:
         tree = json.loads(data if isinstance(data, str) else data.decode("utf-8-sig"))
     except (ValueError, RecursionError):
         return None
-    if not isinstance(tree, dict):
+    if not is_table(tree):
         return None
     if tree.get("fileType") == "Plan" or "groundStation" in tree:
         return "a QGroundControl plan"

@@ -79,7 +79,7 @@ class _Scanner:
 
     def _keys(self) -> list[tuple[str, int]]:
         """The parts of a dotted key with their places; what follows them is next."""
-        parts = []
+        parts: list[tuple[str, int]] = []
         while True:
             self._skip(_SPACE)
             at, quoted = self._at, self._text[self._at] in "\"'"

@@ -8,7 +8,7 @@ yes are texts. Anchors, aliases and tags are not used.
 import math
 import re
 from collections.abc import Iterator
-from typing import Any
+from typing import Any, cast
 
 import yaml
 from yaml.events import (
@@ -20,6 +20,7 @@ from yaml.events import (
     SequenceEndEvent,
 )
 
+from bumpless.config.plain import is_row
 from bumpless.config.problems import Problem
 
 LARGEST_FILE = 32_768  # characters; a mission is a page of text
@@ -34,12 +35,13 @@ _LOADER: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)  # libyaml: thirty 
 _INT = re.compile(r"[-+]?[0-9]+")
 _BASED = re.compile(r"0o[0-7]+|0x[0-9a-fA-F]+")
 _FLOAT = re.compile(r"[-+]?(\.[0-9]+|[0-9]+(\.[0-9]*)?)([eE][-+]?[0-9]+)?")
-_WORDS = {"": None, "~": None, "null": None, "Null": None, "NULL": None}
-_WORDS |= {word: word.lower() == "true" for word in ("true", "True", "TRUE", "false", "False", "FALSE")}
-_WORDS |= {
-    f"{sign}{word}": float(f"{sign}inf") for sign in ("", "-", "+") for word in (".inf", ".Inf", ".INF")
+_WORDS: dict[str, float | None] = {
+    **dict.fromkeys(("", "~", "null", "Null", "NULL")),
+    **dict.fromkeys(("true", "True", "TRUE"), True),
+    **dict.fromkeys(("false", "False", "FALSE"), False),
+    **{f"{sign}{word}": float(f"{sign}inf") for sign in ("", "-", "+") for word in (".inf", ".Inf", ".INF")},
+    **dict.fromkeys((".nan", ".NaN", ".NAN"), math.nan),
 }
-_WORDS |= dict.fromkeys((".nan", ".NaN", ".NAN"), math.nan)
 
 
 class _Refused(Exception):
@@ -77,7 +79,7 @@ class YamlText:
             raise _Refused(None, f"the file is longer than {LARGEST_FILE} characters")
         if _open_brackets(text) > _DEEPEST_FLOW:
             raise _Refused(None, "is nested too deeply")
-        events = iter(yaml.parse(text, _LOADER))
+        events: Iterator[Any] = iter(cast("Any", yaml).parse(text, _LOADER))
         found = [event for event in (next(events), next(events)) if isinstance(event, DocumentStartEvent)]
         first = next(events) if found else None
         if not isinstance(first, MappingStartEvent):
@@ -108,7 +110,7 @@ class YamlText:
             raise _Refused(event.start_mark, "is nested too deeply")
         if isinstance(event, MappingStartEvent):
             return self._mapping(events, path, depth)
-        items = []
+        items: list[Any] = []
         while not isinstance(inner := next(events), SequenceEndEvent):
             at = f"{path}[{len(items)}]"
             self.places[at] = _place(inner.start_mark)
@@ -175,6 +177,6 @@ def shown(value: Any) -> Any:
     """What a problem prints for a value."""
     if isinstance(value, dict):
         return "{...}"
-    if isinstance(value, list | tuple):
+    if is_row(value):
         return [shown(item) for item in value[:7]]
     return value

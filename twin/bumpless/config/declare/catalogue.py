@@ -5,6 +5,7 @@ from typing import Any, get_args
 from bumpless.config.declare.models import MISSING, Field, fields_of, parts_of, tag_of
 from bumpless.config.declare.notes import Choice, Entries, Number, Part, Row, Switch, Text, Words
 from bumpless.config.declare.overrides import Overrides
+from bumpless.config.plain import is_tuple
 
 
 def catalogue(cls: type) -> list[dict[str, Any]]:
@@ -56,7 +57,7 @@ def _entry(field: Field, path: str, kind: str) -> dict[str, Any]:
     if isinstance(note, Entries):
         entry |= {"fewest": note.fewest, "most": note.most}
     if field.default is not MISSING and not isinstance(note, Part | Entries | Overrides):
-        entry |= {"default": list(field.default) if isinstance(field.default, tuple) else field.default}
+        entry |= {"default": list(field.default) if is_tuple(field.default) else field.default}
     return entry
 
 
@@ -76,4 +77,5 @@ def _type(field: Field) -> str:
             return "list"
         case Part() | Overrides():
             return "part"
-    return "text"
+        case _:
+            return "text"

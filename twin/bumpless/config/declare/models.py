@@ -7,13 +7,15 @@ made: no instance holds a number out of its range.
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache
-from typing import Any, Literal, TypeVar, dataclass_transform, get_args, get_origin
+from typing import Any, Literal, TypeGuard, TypeVar, dataclass_transform, get_args, get_origin
 
 from pydantic import ConfigDict
 from pydantic.dataclasses import dataclass as checked
+from pydantic.fields import FieldInfo
 from pydantic_core import PydanticUndefined
 
 from bumpless.config.declare.notes import Note, without_none
+from bumpless.config.plain import is_tuple
 
 MISSING: Any = PydanticUndefined
 T = TypeVar("T")
@@ -42,8 +44,8 @@ class Field:
 @cache
 def fields_of(cls: type) -> dict[str, Field]:
     """The declared fields of a model by the keys of files; those without a note are no part of files."""
-    found = {}
-    for name, info in cls.__pydantic_fields__.items():  # type: ignore[attr-defined]
+    found: dict[str, Field] = {}
+    for name, info in _pydantic_fields(cls).items():
         note = next((item for item in info.metadata if isinstance(item, Note)), None)
         if note is None:
             continue
@@ -54,14 +56,20 @@ def fields_of(cls: type) -> dict[str, Field]:
     return found
 
 
+def _pydantic_fields(cls: Any) -> dict[str, FieldInfo]:
+    """What pydantic knows of a model's fields, by their attributes."""
+    return cls.__pydantic_fields__
+
+
 def parts_of(kind: Any) -> tuple[type, ...]:
     """The models that a field of this type holds: itself, the options of a union, the entries of a list."""
     if get_origin(kind) is tuple:
         kind = get_args(kind)[0]
-    options = [
-        item for item in _flat(kind) if isinstance(item, type) and hasattr(item, "__pydantic_fields__")
-    ]
-    return tuple(options)
+    return tuple(item for item in _flat(kind) if _is_model(item))
+
+
+def _is_model(kind: Any) -> TypeGuard[type]:
+    return hasattr(kind, "__pydantic_fields__") and isinstance(kind, type)
 
 
 def _flat(kind: Any) -> Iterator[Any]:
@@ -75,11 +83,11 @@ def _flat(kind: Any) -> Iterator[Any]:
 
 def tag_of(cls: type) -> str:
     """The word in `kind` that chooses this model among others; "" for one that stands alone."""
-    info = cls.__pydantic_fields__.get("kind")  # type: ignore[attr-defined]
+    info = _pydantic_fields(cls).get("kind")
     return get_args(info.annotation)[0] if info is not None and get_args(info.annotation) else ""
 
 
-def as_table(instance: Any) -> dict[str, Any]:
+def as_table(instance: object) -> dict[str, Any]:
     """An instance's fields by the keys of files, rows as lists; parts stay as they are."""
     values = {field.key: getattr(instance, field.name) for field in fields_of(type(instance)).values()}
-    return {key: list(value) if isinstance(value, tuple) else value for key, value in values.items()}
+    return {key: list(value) if is_tuple(value) else value for key, value in values.items()}

@@ -15,6 +15,8 @@ from typing import Any, Union, get_args, get_origin
 from pydantic import GetCoreSchemaHandler, ValidationError
 from pydantic_core import CoreSchema, PydanticCustomError, core_schema
 
+from bumpless.config.plain import is_row
+
 _WITH_UNIT = re.compile(r"\s*[-+.\d]+\s*[A-Za-z°/]+")
 
 
@@ -158,7 +160,7 @@ class Row(Note):
     def numbers(self) -> list[Number]:
         """The declaration of each number; one that stands for all when there are no names."""
 
-        def at(bound: Any, i: int) -> Any:
+        def at(bound: float | tuple[float, ...] | None, i: int) -> float | None:
             return bound[i] if isinstance(bound, tuple) else bound
 
         return [
@@ -181,10 +183,10 @@ class Row(Note):
         return core_schema.no_info_before_validator_function(self._shaped, schema)
 
     def _shaped(self, value: Any) -> Any:
-        if isinstance(value, list | tuple):
+        if is_row(value):
             fewest, most = (len(self.names),) * 2 if self.names else (1, self.most)
             if fewest <= len(value) <= most:
-                if self.nonzero and all(number == 0 and number is not False for number in value):
+                if self.nonzero and all(number is not False and number == 0 for number in value):
                     raise refusal("must not be 0")
                 return value
         raise refusal(self.shape)
@@ -301,7 +303,7 @@ class Entries(Note):
         return super()._more | {"minItems": self.fewest, "maxItems": self.most}
 
     def _counted(self, value: Any) -> Any:
-        if not isinstance(value, list | tuple):
+        if not is_row(value):
             raise refusal("must be a list")
         if not self.fewest <= len(value) <= self.most:
             raise refusal(f"must have between {self.fewest} and {self.most} entries")

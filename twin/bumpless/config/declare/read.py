@@ -61,7 +61,8 @@ def _in_words(cls: type, error: Any) -> Broken:
             )
         case "dataclass_type" | "dict_type" | "model_attributes_type" | "dataclass_exact_type":
             return Broken(path, error["input"], "must hold named fields")
-    return Broken(path, error["input"], error["msg"])
+        case _:
+            return Broken(path, error["input"], error["msg"])
 
 
 def unknown(key: Any, known: Iterable[str]) -> str:
@@ -73,7 +74,8 @@ def unknown(key: Any, known: Iterable[str]) -> str:
 def _walk(cls: type, place: tuple[str | int, ...]) -> tuple[str, type, tuple[type, ...]]:
     """Of a place of pydantic's: its path without the tags of unions, the model that holds the field it ends
     with, and the models that field may hold."""
-    path, options, holder = "", (cls,), cls
+    path, holder = "", cls
+    options: tuple[type, ...] = (cls,)
     for step in place:
         if isinstance(step, int):
             path += f"[{step}]"

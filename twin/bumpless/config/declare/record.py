@@ -14,6 +14,7 @@ import numpy as np
 
 from bumpless.config.declare.models import Field, fields_of
 from bumpless.config.declare.notes import Choice, Number, Row
+from bumpless.config.plain import is_tuple
 
 TO_SI = {"deg": radians, "deg/s": radians}  # what files say in other units
 
@@ -30,13 +31,13 @@ def record_dtype(cls: type) -> np.dtype:
     return np.dtype([(name, kind, shape) for name, (kind, shape) in shapes.items()], align=True)
 
 
-def fill_record(instance: Any, out: Any) -> None:
+def fill_record(instance: object, out: Any) -> None:
     """Write an instance of a model into a record (`array[i]`) that has its fields, and maybe more."""
     for name, row, field in _targets(type(instance)):
         value = _converted(field, getattr(instance, field.name))
         if row is not None:
             out[name][row] = value
-        elif isinstance(value, tuple):
+        elif is_tuple(value):
             out[name][: len(value)] = value
             out[name][len(value) :] = 0.0
         else:
@@ -71,4 +72,4 @@ def _converted(field: Field, value: Any) -> Any:
     convert = TO_SI.get(field.note.unit)
     if convert is None:
         return value
-    return tuple(map(convert, value)) if isinstance(value, tuple) else convert(value)
+    return tuple(map(convert, value)) if is_tuple(value) else convert(value)

@@ -5,6 +5,7 @@ from typing import Any
 from bumpless.config.declare.catalogue import catalogue
 from bumpless.config.declare.models import fields_of
 from bumpless.config.declare.overrides import Overrides
+from bumpless.config.plain import is_list, is_tuple
 
 HEAD = (
     "| field | type | unit | range | default | live | meaning |",
@@ -68,7 +69,8 @@ def _kind(entry: dict[str, Any]) -> str:
             return "list"
         case "part":
             return "table"
-    return entry["type"]
+        case _:
+            return entry["type"]
 
 
 def _range(entry: dict[str, Any]) -> str:
@@ -79,7 +81,7 @@ def _range(entry: dict[str, Any]) -> str:
     if entry.get("form"):
         return entry["form"]
     low, high = entry.get("min"), entry.get("max")
-    if isinstance(low, tuple) and isinstance(high, tuple):
+    if is_tuple(low) and is_tuple(high):
         pairs = zip(entry["names"], low, high, strict=True)
         return ", ".join(f"{name} {a:.10g} to {b:.10g}" for name, a, b in pairs)
     if low is not None and high is not None:
@@ -94,6 +96,6 @@ def _default(entry: dict[str, Any]) -> str:
     value = entry.get("default")
     if isinstance(value, bool):
         return f"`{str(value).lower()}`"
-    if isinstance(value, list):
+    if is_list(value):
         return f"`[{', '.join(f'{item:g}' for item in value)}]`"
     return "" if value in (None, "") else f"`{value:.10g}`" if isinstance(value, float) else f"`{value}`"

@@ -97,7 +97,7 @@ def _tables(text: str, source: str, control_line: int) -> dict[str, Any]:
 
 def _rules(document: Document) -> list[Broken]:
     """Rules between fields."""
-    found, taken, count = [], set[str](), 0
+    found, taken, count = list[Broken](), set[str](), 0
     for i, actuator in enumerate(document.actuators):
         names = {actuator.name, *(command.name for command in actuator.commands)}
         if names & taken:

@@ -38,7 +38,7 @@ class Document:
     appendages: Annotated[tuple[Appendage, ...], Entries("What sticks out and drags", most=64)] = ()
     control: Annotated[
         dict[str, Any], Overrides("Control parameters, in a file beside or here", of=Parameters)
-    ] = field(default_factory=dict)
+    ] = field(default_factory=dict[str, Any])
 
 
 @model

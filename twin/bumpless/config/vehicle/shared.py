@@ -4,6 +4,7 @@ import re
 from typing import Any
 
 from bumpless.config.declare import Broken
+from bumpless.config.plain import is_list, is_table
 
 TYPES = "actuator_types"
 
@@ -12,13 +13,13 @@ def with_shared_fields(tables: dict[str, Any]) -> tuple[dict[str, Any], list[Bro
     """The tables of a vehicle file with each type laid under its actuators, and what is wrong with types."""
     types, actuators = tables.get(TYPES, {}), tables.get("actuators")
     rest = {name: table for name, table in tables.items() if name != TYPES}
-    if not isinstance(types, dict) or not all(isinstance(common, dict) for common in types.values()):
+    if not is_table(types) or not all(isinstance(common, dict) for common in types.values()):
         return rest, [Broken(TYPES, types, "must hold tables of fields that actuators share")]
-    broken = []
-    if isinstance(actuators, list):
-        merged = []
+    broken: list[Broken] = []
+    if is_list(actuators):
+        merged: list[Any] = []
         for i, entry in enumerate(actuators):
-            name = entry.get("type") if isinstance(entry, dict) else None
+            name = entry.get("type") if is_table(entry) else None
             if name is None:
                 merged.append(entry)
             elif isinstance(name, str) and name in types:
