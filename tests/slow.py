@@ -17,20 +17,30 @@ SLOW = (
     "tests/stability",
     # whole flights in real time, real processes that are killed, minutes of a node's memory
     "tests/config/vehicle/test_flights.py",
+    "tests/control/docking/test_flights.py",
+    "tests/node/test_claim.py",
     "tests/node/test_memory.py",
+    "tests/node/test_one_vehicle.py",
     "tests/node/test_stalled.py",
     "tests/node/test_three_processes.py",
     "tests/server/cli/test_campaign.py",
     "tests/server/cli/test_serve.py",
+    "tests/physics/actuators/test_azimuth.py",
     "tests/server/live/test_real_node.py",
+    "tests/server/runs/test_recording.py",
+    "tests/server/vehicle_process/test_supervise.py",
+    "tests/server/web/test_missions_api.py",
     # tens of thousands of problems, and code compiled anew
     "tests/control/allocation/test_mdca_optimum.py",
     "tests/control/allocation/test_qp_handles.py",
     "tests/control/allocation/test_qp_optimum.py",
     "tests/jit",
-    # packages and releases that are built
+    # packages, pages and releases that are built
+    "tests/docs/test_pages.py",
+    "tests/infra/test_install.py",
     "tests/infra/test_package.py",
     "tests/infra/test_release.py",
+    "tests/server/web/test_help.py",
 )
 
 
