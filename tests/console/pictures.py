@@ -66,7 +66,7 @@ def take(browser: Browser, running: Running, folder: Path) -> None:
     expect(page.get_by_label("Mode Reverse")).to_have_text("R", timeout=FLIES_MS)
     save(page, folder / "live.png")
     save(light, folder / "live_light.png")
-    expect(page.get_by_label("Mission phase")).to_have_text("Completed", timeout=FLIES_MS)
+    expect(page.get_by_label("Mission phase")).to_have_text("Docked", timeout=FLIES_MS)
     show(page, "Runs")
     expect(page.get_by_label("Metrics", exact=True)).to_contain_text("RMS e_τ", timeout=FLIES_MS)
     save(page, folder / "runs.png")
