@@ -32,8 +32,10 @@ def missions(vehicle: Vehicle) -> list[Mission]:
 
 
 def model_of(vehicle: Vehicle) -> np.void:
-    """What the autopilot of `vehicle` works on."""
-    return Twin(vehicle).onboard["model"]
+    """What the autopilot of `vehicle` works on in the last of these missions; its fins may brake."""
+    twin = Twin(vehicle)
+    twin.start(missions(vehicle)[-1])
+    return twin.onboard["model"]
 
 
 def record(vehicle: Vehicle, mission: Mission) -> np.ndarray:
