@@ -13,8 +13,7 @@ from typing import Any
 import numpy as np
 
 from bumpless.contract import bumpless_pb2 as pb
-from bumpless.metrics import Columns
-from bumpless.runs.figures import figures_of
+from bumpless.metrics import Columns, figures_of
 from bumpless_paper.study.fly import Job, fly, fly_all
 from bumpless_paper.study.interval import share_interval
 from bumpless_paper.study.plants import WIDE, draw
@@ -30,7 +29,7 @@ def judged(job: Job) -> Judged:
     """What counts of one flight; NaN for what did not happen."""
     result = fly(job)
     columns = Columns.from_log(result.log, len(result.vehicle.commands))
-    metrics, outcome = figures_of(columns, result.vehicle, "", "completed")
+    metrics, outcome = figures_of(columns, result.vehicle, result.mission, "completed")
     out: Judged = {"outcome": float(metrics.outcome.ending)}
     if outcome.true_errors is not None:
         out["position_m"], out["heading_deg"] = (

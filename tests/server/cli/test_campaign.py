@@ -94,16 +94,9 @@ def test_a_flight_is_flown_again_by_its_number(tmp_path):
     said = json.loads(done.stdout)
     assert said["seed"] == row["seed"]
     assert (tmp_path / "f.mcap").stat().st_size > 0
-    from bumpless.campaign.outcome import Judge
-    from bumpless.campaign.replay import replayed
-    from bumpless.sim.twin import simulate
-
-    mission, vehicle, parameters, alteration = replayed(prepared, 3)
-    log = simulate(mission, vehicle, parameters, alter=alteration).log
-    decided = Judge(mission, vehicle, prepared.campaign.docked).look(log)
-    ended = log[decided.rows - 1 if decided else -1]
-    assert ended["time"] == row["time_s"]
-    assert ended["range"] == pytest.approx(said["metrics"]["final_range_m"]) or decided
+    assert said["outcome"]["ending"] == row["outcome"]
+    assert said["outcome"]["reason"] == row["reason"]
+    assert said["metrics"]["shaft_energy_j"] == row["energy_j"]
 
 
 def test_refusals_are_lines(tmp_path):

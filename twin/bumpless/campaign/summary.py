@@ -17,8 +17,9 @@ SEVERITY = (  # worst first
     Ending.DOCKED,
 )  # fmt: skip
 FIGURES = (
-    "time_s", "end_range_m", "end_heading_deg", "end_speed_mps", "largest_step", "energy_j",
-    "forward_depth_m_rms", "reverse_depth_m_rms", "hover_depth_m_rms", "hover_heading_deg_rms",
+    "duration_s", "end_range_m", "end_heading_deg", "end_speed_mps", "largest_step", "energy_j",
+    "wrench_error_rms", "forward_depth_m_rms", "reverse_depth_m_rms", "hover_depth_m_rms",
+    "hover_heading_deg_rms",
 )  # fmt: skip
 
 
@@ -73,7 +74,7 @@ class Summary:
 def summary_of(table: "pa.Table") -> Summary:
     """Summary of a table of flights."""
     outcomes = np.array(table.column("outcome").to_pylist(), dtype=object)
-    reasons = table.column("reason").to_pylist()
+    reasons = table.column("why").to_pylist()
     counts: dict[str, int] = {}
     for outcome, reason in zip(outcomes, reasons, strict=True):
         text = f"{outcome}: {reason}"
@@ -92,8 +93,8 @@ def summary_of(table: "pa.Table") -> Summary:
 
 def worst_of(table: "pa.Table", most: int = WORST) -> list[dict[str, Any]]:
     """The worst flights that did not dock: by how they ended, then the farther away the worse."""
-    kept = ["number", "seed", "outcome", "reason", "current_mps", "current_relative_deg", "time_s",
-            "end_range_m", "end_heading_deg", "end_speed_mps", "nose_clearance_m"]  # fmt: skip
+    kept = ["number", "seed", "outcome", "reason", "current_mps", "current_relative_deg", "duration_s",
+            "end_range_m", "end_heading_deg", "end_speed_mps", "closest_m"]  # fmt: skip
     rows = [row for row in table.select(kept).to_pylist() if row["outcome"] != "docked"]
     rows.sort(key=lambda row: (SEVERITY.index(row["outcome"]), -row["end_range_m"], row["number"]))
     return rows[:most]
