@@ -50,13 +50,19 @@ def circle_heading(settings, eta, point, approach, side):
 
 
 @jit
-def clear_heading(settings, eta, target, heading, far):
+def keep_out(settings, plan):
+    """Radius of the circle about the target that is not entered in F, m."""
+    return settings.keep_out + plan.dock_radius
+
+
+@jit
+def clear_heading(keep, eta, target, heading, far):
     """`heading` (rad) turned away from the keep-out circle about the target (3,), where it leads into it.
 
-    far: m to the centre of the turning circle; a dock behind it is no obstacle.
+    keep: its radius, m; far: m to where the way leads; a dock behind that is no obstacle.
     """
     dx, dy = target[0] - eta[0], target[1] - eta[1]
-    off, keep = max(hypot(dx, dy), 1e-6), settings.keep_out
+    off = max(hypot(dx, dy), 1e-6)
     bearing = direction(dx, dy)
     aside = wrap(heading - bearing)
     least = 0.5 * pi + 0.5 * (keep - off) / keep if off < keep else asin(keep / off)
@@ -66,11 +72,23 @@ def clear_heading(settings, eta, target, heading, far):
 
 
 @jit
+def clear_leg(settings, plan, navigation, leg, left, heading):
+    """`heading` (rad) of a leg before the last, turned away from a dock that is in its way and at its depth.
+
+    left: m to the leg's end.
+    """
+    target, eta = navigation.target, navigation.eta
+    if leg >= plan.n_legs - 1 or abs(eta[2] - target[2]) > settings.keep_out + plan.dock_half:
+        return heading
+    return wrap(clear_heading(keep_out(settings, plan), eta, target, heading, left))
+
+
+@jit
 def entry_references(settings, plan, navigation, point, docking):
     """(u goal, z goal, psi_d) on the way round; drift is made good by a crab angle."""
     eta, target, current = navigation.eta, navigation.target, navigation.current
     heading, far = circle_heading(settings, eta, point, docking.heading, docking.side)
-    heading = wrap(clear_heading(settings, eta, target, heading, far))
+    heading = wrap(clear_heading(keep_out(settings, plan), eta, target, heading, far))
     along, across = along_across(current, heading)
     speed = plan.speed[plan.n_legs - 1]
     crab = asin(min(max(-across / speed, -settings.crab_far), settings.crab_far))

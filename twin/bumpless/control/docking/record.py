@@ -36,6 +36,7 @@ DOCKING_OUTPUT = np.dtype(  # where the vehicle is on the approach line in this 
         ("left", f8),  # way left along the line to the observation point, m
         ("aside", f8),  # offset from the line, positive to starboard, m
         ("off", f8),  # |heading error|, rad
+        ("room", f8),  # way of the nose to the dock's face, m
         ("deep", f8),  # |depth error| against the target, m
         ("age", f8),  # of the last fix, s
         ("detected", i8),  # chi
