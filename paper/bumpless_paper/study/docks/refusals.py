@@ -33,7 +33,7 @@ SEARCHED: tuple[dict[str, Any], ...] = (
 
 @dataclass(frozen=True)
 class Asked:
-    """One mission: what was said of it, and whether it docks. Currents are about the heading it would take."""
+    """One mission: what was said of it, whether it docks. Currents are about the heading it would take."""
 
     number: int
     zone: int

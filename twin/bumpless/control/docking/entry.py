@@ -11,6 +11,7 @@ from bumpless.jit import jit
 from bumpless.physics.frames import direction, wrap
 
 _LITTLE = 0.5  # rad of turn too much that is made up on the line
+_PUSH = 2.0  # rad outwards for a vehicle in the middle of a circle it should keep out of
 
 
 @jit
@@ -61,26 +62,43 @@ def clear_heading(keep, eta, target, heading, far):
 
     keep: its radius, m; far: m to where the way leads; a dock behind that is no obstacle.
     """
-    dx, dy = target[0] - eta[0], target[1] - eta[1]
-    off = max(hypot(dx, dy), 1e-6)
-    bearing = direction(dx, dy)
+    bearing, off, least = tangent(keep, eta, target)
     aside = wrap(heading - bearing)
-    least = 0.5 * pi + 0.5 * (keep - off) / keep if off < keep else asin(keep / off)
     if abs(aside) < least and off < far + keep:
         return bearing + (least if aside >= 0.0 else -least)
     return heading
 
 
 @jit
-def clear_leg(settings, plan, navigation, leg, left, heading):
+def tangent(keep, eta, target):
+    """(bearing, off, least): of the target, rad, its distance, m, and how far off the bearing the tangent to
+    the keep-out circle lies, rad; from within the circle the tangent leads outwards."""
+    dx, dy = target[0] - eta[0], target[1] - eta[1]
+    off = max(hypot(dx, dy), 1e-6)
+    least = 0.5 * pi + _PUSH * (keep - off) / keep if off < keep else asin(keep / off)
+    return direction(dx, dy), off, least
+
+
+@jit
+def clear_leg(settings, plan, navigation, leg, left, heading, docking):
     """`heading` (rad) of a leg before the last, turned away from a dock that is in its way and at its depth.
 
-    left: m to the leg's end.
+    left: m to the leg's end. The side on which the dock is passed is kept, in docking.passing: the law leads
+    back to the leg, and would change it every time.
     """
     target, eta = navigation.target, navigation.eta
-    if leg >= plan.n_legs - 1 or abs(eta[2] - target[2]) > settings.keep_out + plan.dock_half:
+    keep = keep_out(settings, plan)
+    bearing, off, least = tangent(keep, eta, target)
+    aside = wrap(heading - bearing)
+    past = abs(aside) >= max(least, 0.5 * pi) or off >= left + keep
+    if past or leg >= plan.n_legs - 1 or abs(eta[2] - target[2]) > settings.keep_out + plan.dock_half:
+        docking.passing = 0
         return heading
-    return wrap(clear_heading(keep_out(settings, plan), eta, target, heading, left))
+    if docking.passing == 0 and abs(aside) < least:
+        docking.passing = 1 if aside >= 0.0 else -1
+    if docking.passing * aside < least and docking.passing != 0:
+        return wrap(bearing + docking.passing * least)
+    return heading
 
 
 @jit

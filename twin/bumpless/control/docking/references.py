@@ -100,7 +100,7 @@ def guide_docking(dt, settings, plan, s, situation, view, out):
     law, reference, stage = settings.guidance, s.guidance.reference, s.docking.stage
     if stage == TRANSIT:
         u_goal, z_goal, psi_d = follow_path(dt, law, plan, navigation, situation, guidance, out)
-        psi_d = clear_leg(settings.docking, plan, navigation, guidance.leg, out.along_track, psi_d)
+        psi_d = clear_leg(settings.docking, plan, navigation, guidance.leg, out.along_track, psi_d, docking)
         goals = u_goal, z_goal, psi_d
     else:
         out.cross_track, out.along_track = view.aside, view.left
