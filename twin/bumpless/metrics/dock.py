@@ -13,7 +13,7 @@ import numpy as np
 from bumpless.metrics.columns import Columns, Floats
 
 if TYPE_CHECKING:
-    from bumpless.config.mission import Mission
+    from bumpless.config.mission.model import Target
     from bumpless.config.vehicle import Vehicle
 
 AXIS_POINTS = 10  # of the hull, from nose to tail
@@ -39,11 +39,12 @@ class Clearance:
     inside: np.ndarray  # (n,) bool, a point of the hull is in the dock
 
 
-def body_of(mission: "Mission | None") -> Body:
-    """The dock of a mission. One that may be entered from any side is turned to the vehicle that comes."""
-    if mission is None or mission.target.turn_deg >= 90.0:
+def body_of(target: "Target | None") -> Body:
+    """The dock of a mission's target; one of the usual size, and on any heading, where nobody knows it."""
+    if target is None:
         return ANY_SIDE
-    return Body(heading=radians(mission.target.heading_deg))
+    heading = None if target.turns else radians(target.heading_deg)
+    return Body(target.dock_width_m, target.dock_length_m, heading)
 
 
 def clearance_of(run: Columns, vehicle: "Vehicle", known: bool, body: Body) -> Clearance:

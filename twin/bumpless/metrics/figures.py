@@ -29,7 +29,7 @@ def figures_of(
 
     mission: says where the dock stands; None where nobody knows. limits: what docked means.
     """
-    metrics = metrics_of(columns, vehicle, run_id)
-    outcome = outcome_of(columns, vehicle, how, reason, body_of(mission), limits)
+    metrics, body = metrics_of(columns, vehicle, run_id), body_of(mission.target if mission else None)
+    outcome = outcome_of(columns, vehicle, how, reason, body, limits)
     metrics.outcome.CopyFrom(outcome.message())
     return metrics, outcome

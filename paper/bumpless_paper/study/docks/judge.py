@@ -5,8 +5,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from bumpless.config.mission.model import Target
 from bumpless.metrics import Columns, figures_of
-from bumpless.metrics.dock import ANY_SIDE, is_inside
+from bumpless.metrics.dock import body_of, is_inside
 from bumpless.sim.twin import Result
 from bumpless_paper.study.docks.cases import Case, vehicle
 
@@ -47,7 +48,16 @@ def judge(case: Case, result: Result) -> Judgement:
     )
 
 
-def inside_dock(log: np.ndarray, heading: np.ndarray) -> np.ndarray:
+def hits(log: np.ndarray, target: Target) -> np.ndarray:
+    """(n,) LOG rows in which a part of the hull is in the dock: along the approach heading in use, and along
+    the target's own where the dock doesn't turn."""
+    hit = inside_dock(log, log["approach"], target)
+    if not target.turns:
+        hit |= inside_dock(log, np.full(len(log), math.radians(target.heading_deg)), target)
+    return hit
+
+
+def inside_dock(log: np.ndarray, heading: np.ndarray, target: Target) -> np.ndarray:
     """(n,) LOG rows in which a part of the hull is in the dock behind the marker along `heading`, rad."""
     eta = np.ascontiguousarray(log["eta"])
-    return is_inside(eta, eta[:, :3] - log["target_true"], heading, vehicle(), ANY_SIDE)
+    return is_inside(eta, eta[:, :3] - log["target_true"], heading, vehicle(), body_of(target))
