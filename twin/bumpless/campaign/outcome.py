@@ -56,8 +56,13 @@ class Judge:
             (_first(broken), Ending.ABORTED, "the simulation broke down"),
             (_first(touching), Ending.COLLIDED, f"nose within {self.rule.touch_m:g} m of the marker"),
             (_first(new["phase"] == ABORTED), Ending.ABORTED, "mission aborted"),
-            (_first(held), Ending.DOCKED, f"within tolerances for {self.rule.hold_s:g} s"),
         ]
+        if self.mission.target.dock is None:
+            ends.append((_first(held), Ending.DOCKED, f"within tolerances for {self.rule.hold_s:g} s"))
+        else:
+            hard = new["contact_force"] > new["contact_most"]
+            ends.append((_first(hard), Ending.COLLIDED, "hull and dock met harder than they bear"))
+            ends.append((_first(new["captured"] == 1), Ending.DOCKED, "captured"))
         row, name, why = min(ends, key=lambda end: end[0])
         return Decided(name, why, before + row + 1) if row < len(new) else None
 

@@ -17,7 +17,15 @@ SOLVED, BUDGET_SPENT, INFEASIBLE, FALLBACK, REFUSED = 1, 2, 3, 4, 5
 
 INFO, WARNING, ALARM = 1, 2, 3  # Severity
 
-TRANSIT, ENTRY, APPROACH, BACK, HOLD = 1, 2, 3, 4, 5  # DockingStage; 0 where the published automaton flies
+TRANSIT, ENTRY, APPROACH, BACK, HOLD, CREEP, CAPTURED = (
+    1,
+    2,
+    3,
+    4,
+    5,
+    6,
+    7,
+)  # DockingStage; 0 where the published automaton flies
 
 # WaveOffReason; 0 before the first wave-off
 TARGET_LOST, OFF_LINE, OFF_HEADING, OFF_DEPTH, OVERSHOT = 1, 2, 3, 4, 5

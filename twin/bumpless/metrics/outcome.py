@@ -13,6 +13,7 @@ import numpy as np
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.enums import HOVER
 from bumpless.contract.modes import MODE_LETTERS
+from bumpless.metrics.capture import Capture, capture_of
 from bumpless.metrics.columns import Columns
 from bumpless.metrics.dock import KEEP_OUT_M, clearance_of
 from bumpless.metrics.errors import EndErrors, Errors, believed_errors, is_known, true_errors
@@ -27,7 +28,9 @@ POSITION_M, HEADING_DEG, SPEED_MPS, HOLD_S = 0.15, 5.0, 0.05, 10.0  # what docke
 class Ending(StrEnum):
     """The ways a run can end."""
 
-    DOCKED = "docked"  # in H within 0.15 m, 5 deg and 0.05 m/s of the observation point for the last 10 s
+    # captured, where there is a dock to enter; else in H within 0.15 m, 5 deg and 0.05 m/s of the observation
+    # point for the last 10 s
+    DOCKED = "docked"
     HELD = "held"  # over in H, but not docked
     WAVED_OFF = "waved_off"  # the approach was given up for a safe place
     TIME_OVER = "time_over"  # over before hover was reached
@@ -107,12 +110,15 @@ def outcome_of(
     held_s = _held_s(run, errors, period_s)
     clearance = clearance_of(run, vehicle, known)
     hits = np.flatnonzero(clearance.in_plane <= keep_out_m)
+    dock = capture_of(run)
     if len(hits):
         ending, text = Ending.COLLIDED, _hit(run, errors, int(hits[0]), clearance.in_plane)
+    elif dock and dock.overloaded:
+        ending, text = Ending.COLLIDED, dock.harm
     elif how != "completed":
         ending, text = Ending(how), reason or f"The run was {how}."
     else:
-        ending, text = _completed(run, errors, held_s, period_s)
+        ending, text = _completed(run, errors, held_s, period_s, dock)
     near = int(np.nanargmin(clearance.to_marker)) if np.isfinite(clearance.to_marker).any() else None
     return Outcome(
         ending=ending,
@@ -128,13 +134,19 @@ def outcome_of(
     )
 
 
-def _completed(run: Columns, errors: Errors, held_s: float, period_s: float) -> tuple[Ending, str]:
+def _completed(
+    run: Columns, errors: Errors, held_s: float, period_s: float, dock: Capture | None
+) -> tuple[Ending, str]:
     where = _where(run, errors)
-    if held_s >= HOLD_S - 0.5 * period_s:
+    if dock and dock.captured:
+        return Ending.DOCKED, dock.sentence
+    if not dock and held_s >= HOLD_S - 0.5 * period_s:
         return Ending.DOCKED, f"held in hover for {held_s:.1f} s, {where}."
     if int(run.stage[-1]) in WAVED_OFF_STAGES:
         return Ending.WAVED_OFF, f"the approach was given up ({_why(int(run.reason[-1]))}), {where}."
     if run.mode[-1] == HOVER:
+        if dock:
+            return Ending.HELD, f"in hover before the dock, {where}; not captured."
         return Ending.HELD, f"in hover, {where}; within the limits for {held_s:.1f} s of {HOLD_S:g} s."
     return Ending.TIME_OVER, f"the time was over before hover, {where}."
 

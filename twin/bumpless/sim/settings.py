@@ -40,6 +40,10 @@ def plan_of(mission: Mission, period_s: float) -> np.ndarray:
     p["speed"][: len(mission.legs)] = [leg.speed_mps for leg in mission.legs]
     p["target"] = [*mission.target.position_ned_m, radians(mission.target.heading_deg)]
     p["standoff"] = mission.target.standoff_m
+    if mission.target.dock:
+        dock = mission.target.dock
+        p["dock"], p["dock_entry"] = 1, dock.entry_before_marker_m
+        p["dock_depth"], p["dock_end"] = dock.capture_depth_m, dock.length_m
     p["heading_tolerance"] = radians(mission.target.turn_deg)
     p["cycles"] = round(mission.duration_s / period_s)
     hold_s = mission.end.hover_hold_s

@@ -12,6 +12,7 @@ from typing import Annotated, Any, Literal
 
 from bumpless.config.capacity import MAX_FAULTS, MAX_WAYPOINTS
 from bumpless.config.declare import Choice, Entries, Number, Overrides, Part, Row, Text, model
+from bumpless.config.mission.dock import Dock, Motion
 from bumpless.config.mission.notes import Vector3, direction, moment, position
 from bumpless.config.mission.sea import Environment
 from bumpless.config.mission.sensing import Sensors
@@ -79,6 +80,9 @@ class Target:
         Choice("How the approach heading is chosen",
                help="heading: heading_deg within its tolerance; into_current: from any side."),
     ] = "heading"  # fmt: skip
+
+    dock: Annotated[Dock | None, Part("Dock to enter, behind the observation point")] = None
+    motion: Annotated[Motion | None, Part("Motion of a hung dock")] = None
 
     @property
     def turn_deg(self) -> float:
