@@ -72,11 +72,11 @@ def _forked_where_possible() -> None:
         return
     from multiprocessing import forkserver
 
-    import dask
+    from dask.config import set as configure
 
     multiprocessing.get_context("forkserver").set_forkserver_preload(["bumpless.campaign.forked"])
     forkserver.ensure_running()
-    dask.config.set({"distributed.worker.multiprocessing-method": "forkserver"})
+    configure({"distributed.worker.multiprocessing-method": "forkserver"})
 
 
 def _reached(address: str) -> "Client":

@@ -13,6 +13,7 @@ import numpy as np
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.enums import HOVER, WAVED_OFF_STAGES
 from bumpless.contract.modes import LOOKS, MODE_LETTERS
+from bumpless.metrics.capture import Capture, capture_of
 from bumpless.metrics.columns import Columns
 from bumpless.metrics.dock import ANY_SIDE, Body, Clearance, clearance_of
 from bumpless.metrics.errors import EndErrors, Errors, believed_errors, is_known, true_errors
@@ -37,7 +38,7 @@ DOCKED = Limits()
 class Ending(StrEnum):
     """The ways a run can end."""
 
-    DOCKED = "docked"  # within `Limits` up to the end
+    DOCKED = "docked"  # captured, where there is a dock to enter; else within `Limits` up to the end
     HELD = "held"  # over in H, but not docked
     WAVED_OFF = "waved_off"  # the approach was given up for a safe place
     TIME_OVER = "time_over"  # over before hover was reached
@@ -121,15 +122,17 @@ def outcome_of(
     believed, true = believed_errors(run), true_errors(run) if known else None
     errors = true or believed
     held_s = _held_s(run, errors, period_s, limits)
-    clearance = clearance_of(run, vehicle, known, body)
+    clearance, dock = clearance_of(run, vehicle, known, body), capture_of(run)
     if clearance.inside.any():
         ending, text, why = _collided(run, errors, clearance)
+    elif dock and dock.overloaded:
+        ending, text, why = Ending.COLLIDED, dock.harm, "hull and dock met too hard"
     elif how != "completed":
         ending, text, why = Ending(how), reason or f"The run was {how}.", reason or how
     elif not np.isfinite(run.eta_hat[-1]).all():
         ending, text, why = Ending.ABORTED, "The state was no number any more.", "the simulation broke down"
     else:
-        ending, text, why = _completed(run, errors, held_s, period_s, limits)
+        ending, text, why = _completed(run, errors, held_s, period_s, limits, dock)
     near = int(np.nanargmin(clearance.to_marker)) if np.isfinite(clearance.to_marker).any() else None
     return Outcome(
         ending=ending,
@@ -149,14 +152,20 @@ def outcome_of(
 Said = tuple[Ending, str, str]  # ending, reason, why
 
 
-def _completed(run: Columns, errors: Errors, held_s: float, period_s: float, limits: Limits) -> Said:
+def _completed(
+    run: Columns, errors: Errors, held_s: float, period_s: float, limits: Limits, dock: Capture | None
+) -> Said:
     where, stay = _where(run, errors), f"{held_s:.1f} s"
-    if held_s >= limits.hold_s - 0.5 * period_s:
+    if dock and dock.captured:
+        return Ending.DOCKED, dock.sentence, "captured"
+    if not dock and held_s >= limits.hold_s - 0.5 * period_s:
         return Ending.DOCKED, f"held in hover for {stay}, {where}.", "held within the limits"
     if int(run.stage[-1]) in WAVED_OFF_STAGES:
         why = _reason(int(run.reason[-1]))
         return Ending.WAVED_OFF, f"the approach was given up ({why}), {where}.", why
     if run.mode[-1] == HOVER:
+        if dock:
+            return Ending.HELD, f"in hover before the dock, {where}; not captured.", "not captured"
         text = f"in hover, {where}; within the limits for {stay} of {limits.hold_s:g} s."
         return Ending.HELD, text, _missed(errors.at(-1), limits)
     why = f"still in {LOOKS[int(run.mode[-1])].key}"

@@ -119,7 +119,7 @@ def _joined(columns: dict[str, _Column]) -> Columns:
     control, allocation = rows["tlm/control"], rows["tlm/allocation"]
     actuators, target, guidance = rows["tlm/actuators"], rows["tlm/target"], rows["tlm/guidance"]
     n_u = actuators.shape[1] // 3
-    known = np.full((len(cycle), 21), np.nan)  # truth: wrench, pose, velocity, target
+    known = np.full((len(cycle), 25), np.nan)  # truth: wrench, pose, velocity, target, dock
     _, here, there = np.intersect1d(cycle, truth_cycles, assume_unique=True, return_indices=True)
     if len(here):
         known[here] = truth[there]
@@ -149,6 +149,11 @@ def _joined(columns: dict[str, _Column]) -> Columns:
         eta=known[:, 6:12],
         nu=known[:, 12:18],
         target_true=known[:, 18:21],
+        captured=supervisor[:, 9].astype(np.int64),
+        contact_force=known[:, 21],
+        contact_most=known[:, 22],
+        nose_depth=known[:, 23],
+        nose_offset=known[:, 24],
         u=actuators[:, :n_u],
         du_max=actuators[:, n_u : 2 * n_u],
         u_feedback=actuators[:, 2 * n_u :],
@@ -157,7 +162,7 @@ def _joined(columns: dict[str, _Column]) -> Columns:
     )
 
 
-_DOCKING = ("docking_stage", "docking_tries", "wave_off_reason", "approach_heading_deg")
+_DOCKING = ("docking_stage", "docking_tries", "wave_off_reason", "approach_heading_deg", "captured")
 
 
 def _supervisor(m: pb.Supervisor) -> tuple[float, ...]:
@@ -192,7 +197,8 @@ def _target(m: pb.Target) -> list[float]:
 
 def _truth(m: pb.TruthState) -> list[float]:
     at = m.target_position_ned_m
-    return [*_wrench(m.actuator_wrench), *_motion(m), at.x, at.y, at.z]
+    dock = (m.contact_force_n, m.contact_force_most_n, m.nose_depth_m, m.nose_offset_m)
+    return [*_wrench(m.actuator_wrench), *_motion(m), at.x, at.y, at.z, *dock]
 
 
 def _control(m: pb.Control) -> list[float]:
