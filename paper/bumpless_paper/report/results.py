@@ -5,6 +5,7 @@ from typing import Any
 
 from bumpless_paper.report.labels import label
 from bumpless_paper.report.outcomes import HEAD, rows_of
+from bumpless_paper.report.parts import PARTS
 from bumpless_paper.report.shortfalls import WHERE, shortfalls
 from bumpless_paper.report.ticks import number, percent, share, words
 
@@ -23,6 +24,12 @@ def small(document: dict[str, Any]) -> dict[str, Any]:
         for name, part in document["parts"].items()
     }
     return {**document, "parts": parts}
+
+
+def renewed(old: dict[str, Any], new: dict[str, Any]) -> dict[str, Any]:
+    """The new document, with the old one's parts where it has none of its own; in the order of the page."""
+    parts = old.get("parts", {}) | new["parts"]
+    return {**new, "parts": {name: parts[name] for name in PARTS if name in parts}}
 
 
 def with_results(page: str, document: dict[str, Any]) -> str:
