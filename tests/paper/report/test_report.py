@@ -142,7 +142,7 @@ def test_steps_of_table_a5_are_taken_at_1_hz_near_the_switch() -> None:
 
 
 def test_some_parts_can_be_renewed_alone() -> None:
-    """Protects: `reproduce --only` renews its parts and leaves the others; order is the page's; none is lost."""
+    """Protects: `--only` renews its parts and leaves the others, in the order of the page; none is lost."""
     old = {"software_version": "1", "parts": {"tank": {"n": 1}, "table6": {"n": 1}, "gone": {}}}
     new = renewed(old, {"software_version": "2", "parts": {"table3": {"n": 2}, "tank": {"n": 2}}})
     assert new == {
