@@ -9,7 +9,7 @@ them on flights that no search has seen.
 import json
 import tempfile
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -76,7 +76,7 @@ def found() -> dict[str, Any]:
 
 
 def search(name: str, workers: int) -> dict[str, Any]:
-    """A row's best gains, and the held-out flights with them and without."""
+    """What `bumpless tune` finds for a row, and the held-out flights with it and without."""
     prepared = prepared_for(name)
 
     def fly(one: Prepared, numbers: Sequence[int]) -> list[Row]:
@@ -85,13 +85,7 @@ def search(name: str, workers: int) -> dict[str, Any]:
     with tempfile.TemporaryDirectory() as folder:
         journal = study.opened(Path(folder), prepared, False)
         study.search(journal, prepared, fly)
-        tuned = result.judge(journal, prepared, fly)
-    return {
-        "trial": tuned.trial,
-        "values": tuned.values,
-        "before": asdict(tuned.before),
-        "after": asdict(tuned.after),
-    }
+        return result.judge(journal, prepared, fly).as_dict()
 
 
 class _Flights:
@@ -159,7 +153,7 @@ def main(workers: int = 2) -> None:
     for name, variant in ROWS.items():
         rows[name] = search(name, workers)
         print(variant.title, json.dumps(rows[name]), flush=True)
-    about = {"campaign": CAMPAIGN, "identity": campaign().identity(), "rows": rows}
+    about = {"campaign": CAMPAIGN, "rows": rows}
     FOUND.write_text(json.dumps(about, indent=1) + "\n", encoding="utf-8")
 
 

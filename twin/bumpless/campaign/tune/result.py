@@ -36,6 +36,7 @@ class Tuned:
     trial: int
     trials: int
     values: dict[str, float]
+    present: dict[str, float]  # the same parameters as they were
     tuning: tuple[int, int]  # first and last number that trials flew
     held_out: tuple[int, int]
     looks: int  # how often the held-out flights have been flown, this time included
@@ -72,6 +73,7 @@ def judge(study: "Study", prepared: Prepared, fly: Fly) -> Tuned:
         trial=trial.number,
         trials=len(study.get_trials(deepcopy=False)),
         values=dict(trial.params),
+        present=present(prepared),
         tuning=(0, count - 1),
         held_out=(numbers[0], numbers[-1]),
         looks=looks,
