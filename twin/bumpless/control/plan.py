@@ -15,6 +15,10 @@ PLAN = np.dtype(
         ("target", f8, 4),  # planned marker position NED, approach heading
         ("standoff", f8),  # m before the marker
         ("heading_tolerance", f8),  # rad by which the approach heading may turn into the current
+        ("dock_turns", i8),  # 1: the dock lies behind the marker on whatever approach heading
+        ("dock_half", f8),  # half its width, m
+        ("dock_radius", f8),  # of the circle about the marker that holds it, m
+        ("nose", f8),  # of the vehicle, along x_b, m
         ("start", f8, 6),  # eta
         ("start_speed", f8),  # surge through water, m/s
         ("cycles", i8),  # longest duration

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Literal, cast
 import numpy as np
 
 from bumpless.contract import bumpless_pb2 as pb
-from bumpless.contract.enums import HOVER
+from bumpless.contract.enums import HOVER, WAVED_OFF_STAGES
 from bumpless.contract.modes import MODE_LETTERS
 from bumpless.metrics.columns import Columns
 from bumpless.metrics.dock import KEEP_OUT_M, clearance_of
@@ -20,7 +20,6 @@ from bumpless.metrics.errors import EndErrors, Errors, believed_errors, is_known
 if TYPE_CHECKING:
     from bumpless.config.vehicle import Vehicle
 
-WAVED_OFF_STAGES = (4, 5)  # DockingStage: on the way back from the dock, and holding clear of it for good
 POSITION_M, HEADING_DEG, SPEED_MPS, HOLD_S = 0.15, 5.0, 0.05, 10.0  # what docked means
 
 

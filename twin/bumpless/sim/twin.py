@@ -117,7 +117,7 @@ class Twin:
         if self.parameters.docking.enabled:
             start_shafts(onboard["model"], world["truth"], world["plant"])
         observe_plant(world["model"], world["truth"]["environment"], world["plant"])
-        onboard["plan"] = plan_of(mission, self.period_s)[0]
+        onboard["plan"] = plan_of(mission, self.vehicle)[0]
         told = self.parameters.allocation.effectiveness == "known"
         tell(world["truth"], onboard["plan"], faults=told)
         clear(world["measurement"])  # nothing of an earlier run is left, not even in rounding

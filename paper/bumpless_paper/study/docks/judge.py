@@ -1,7 +1,7 @@
 """How a drawn flight ended, by the truth: docked, waved off, and never through the dock.
 
-The dock's body is a box behind the marker's plane, DOCK_HALF_M to each side of its axis; hull and struts are
-points that must stay out of it, with the hull's radius.
+The dock's body is the mission's box behind the marker's plane; hull and struts are points that must stay out
+of it, with the hull's radius.
 """
 
 import math
@@ -10,11 +10,12 @@ from typing import Any
 
 import numpy as np
 
+from bumpless.config.mission.model import Target
 from bumpless.contract.enums import APPROACH, HOLD, HOVER
 from bumpless.sim.twin import Result
 from bumpless_paper.study.docks.cases import Case
 
-DOCK_HALF_M, DOCK_LENGTH_M, HULL_RADIUS_M = 1.0, 1.5, 0.1
+HULL_RADIUS_M = 0.1
 AXIS_M, STRUTS_M = (1.036, -1.214), (-0.41, 0.41)  # nose and tail along x_b; the struts' ends along y_b
 POSITION_M, HEADING_DEG, SPEED_MPS, DOCKED_S = 0.15, 5.0, 0.05, 10.0
 
@@ -39,9 +40,7 @@ class Judgement:
 def judge(case: Case, result: Result) -> Judgement:
     """How the flight of a case ended."""
     log, mission = result.log, case.mission
-    hit = inside_dock(log, log["approach"])
-    if mission.target.turn_deg < 90.0:
-        hit |= inside_dock(log, np.full(len(log), math.radians(mission.target.heading_deg)))
+    hit = hits(log, mission.target)
     held = _longest(docked_rows(log, mission.target)) * result.vehicle.control_period_s
     last, heading = log[-1], float(log["approach"][-1])
     north, east, _ = mission.environment.current_ned_mps
@@ -70,7 +69,7 @@ def _outcome(hit: bool, held: float, last: Any, duration_s: float) -> str:
     return "held_elsewhere" if last["time"] < duration_s - 1.0 else "time_over"
 
 
-def docked_rows(log: np.ndarray, target: Any) -> np.ndarray:
+def docked_rows(log: np.ndarray, target: Target) -> np.ndarray:
     """Rows that meet the docked criterion: in H on an allowed heading, within 0.15 m, 5 deg and 0.05 m/s."""
     a = log["approach"]
     ahead = np.stack([np.cos(a), np.sin(a), 0.0 * a], axis=1)
@@ -83,14 +82,23 @@ def docked_rows(log: np.ndarray, target: Any) -> np.ndarray:
     return np.asarray(there & straight & allowed & (speed <= SPEED_MPS))
 
 
-def inside_dock(log: np.ndarray, heading: np.ndarray) -> np.ndarray:
+def hits(log: np.ndarray, target: Target) -> np.ndarray:
+    """Rows in which the hull is in the dock, wherever it lies: along the approach heading in use, and along
+    the target's own where the dock doesn't turn."""
+    hit = inside_dock(log, log["approach"], target)
+    if not target.turns:
+        hit |= inside_dock(log, np.full(len(log), math.radians(target.heading_deg)), target)
+    return hit
+
+
+def inside_dock(log: np.ndarray, heading: np.ndarray, target: Target) -> np.ndarray:
     """Rows in which a point of the hull is in the dock, which lies behind the marker along `heading`, rad."""
     rel = hull_points(log["eta"]) - log["target_true"][:, None, :]
     c, s = np.cos(heading)[:, None], np.sin(heading)[:, None]
     along = rel[..., 0] * c + rel[..., 1] * s
     across = np.abs(-rel[..., 0] * s + rel[..., 1] * c)
-    half = DOCK_HALF_M + HULL_RADIUS_M
-    within = (along > 0.0) & (along < DOCK_LENGTH_M) & (across < half)
+    half = 0.5 * target.dock_width_m + HULL_RADIUS_M
+    within = (along > 0.0) & (along < target.dock_length_m) & (across < half)
     return np.any(within & (np.abs(rel[..., 2]) < half), axis=1)
 
 
