@@ -454,6 +454,42 @@ export interface components {
             view: "follow" | "overview" | "top" | "target";
         };
         /**
+         * CaptureMetrics
+         * @description bumpless.CaptureMetrics as JSON.
+         */
+        CaptureMetrics: {
+            /**
+             * Captured
+             * @default false
+             */
+            captured: boolean;
+            /**
+             * Entry Offset M
+             * @default 0
+             */
+            entry_offset_m: number | null;
+            /**
+             * Force Max N
+             * @default 0
+             */
+            force_max_n: number | null;
+            /**
+             * Force Most N
+             * @default 0
+             */
+            force_most_n: number | null;
+            /**
+             * Seat Time S
+             * @default 0
+             */
+            seat_time_s: number | null;
+            /**
+             * Time S
+             * @default 0
+             */
+            time_s: number | null;
+        };
+        /**
          * CommandReply
          * @description The vehicle's own answer.
          */
@@ -589,6 +625,7 @@ export interface components {
          * @description A run's figures of merit.
          */
         Metrics: {
+            capture: components["schemas"]["CaptureMetrics"] | null;
             /**
              * Cycles
              * @default 0

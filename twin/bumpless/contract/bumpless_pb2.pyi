@@ -47,6 +47,8 @@ class DockingStage(int, metaclass=_enum_type_wrapper.EnumTypeWrapper):
     DOCKING_STAGE_APPROACH: _ClassVar[DockingStage]
     DOCKING_STAGE_BACK: _ClassVar[DockingStage]
     DOCKING_STAGE_HOLD: _ClassVar[DockingStage]
+    DOCKING_STAGE_CREEP: _ClassVar[DockingStage]
+    DOCKING_STAGE_CAPTURED: _ClassVar[DockingStage]
 
 class WaveOffReason(int, metaclass=_enum_type_wrapper.EnumTypeWrapper):
     __slots__ = ()
@@ -106,6 +108,8 @@ DOCKING_STAGE_ENTRY: DockingStage
 DOCKING_STAGE_APPROACH: DockingStage
 DOCKING_STAGE_BACK: DockingStage
 DOCKING_STAGE_HOLD: DockingStage
+DOCKING_STAGE_CREEP: DockingStage
+DOCKING_STAGE_CAPTURED: DockingStage
 WAVE_OFF_REASON_UNSPECIFIED: WaveOffReason
 WAVE_OFF_REASON_TARGET_LOST: WaveOffReason
 WAVE_OFF_REASON_OFF_LINE: WaveOffReason
@@ -222,7 +226,7 @@ class Guidance(_message.Message):
     def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., surge_speed_reference_mps: _Optional[float] = ..., depth_reference_m: _Optional[float] = ..., attitude_reference: _Optional[_Union[Attitude, _Mapping]] = ..., cross_track_error_m: _Optional[float] = ..., along_track_error_m: _Optional[float] = ..., leg: _Optional[int] = ..., leg_count: _Optional[int] = ..., sway_speed_reference_mps: _Optional[float] = ...) -> None: ...
 
 class Supervisor(_message.Message):
-    __slots__ = ("stamp", "mode", "previous_mode", "range_m", "detection_raw", "detection", "kappa", "time_in_mode_s", "dwell_remaining_s", "range_rh_lower_m", "range_rh_upper_m", "range_fr_lower_m", "range_fr_upper_m", "range_hf_upper_m", "phase", "docking_stage", "docking_tries", "docking_tries_most", "wave_off_reason", "approach_heading_deg", "fix_age_s")
+    __slots__ = ("stamp", "mode", "previous_mode", "range_m", "detection_raw", "detection", "kappa", "time_in_mode_s", "dwell_remaining_s", "range_rh_lower_m", "range_rh_upper_m", "range_fr_lower_m", "range_fr_upper_m", "range_hf_upper_m", "phase", "docking_stage", "docking_tries", "docking_tries_most", "wave_off_reason", "approach_heading_deg", "fix_age_s", "captured")
     STAMP_FIELD_NUMBER: _ClassVar[int]
     MODE_FIELD_NUMBER: _ClassVar[int]
     PREVIOUS_MODE_FIELD_NUMBER: _ClassVar[int]
@@ -244,6 +248,7 @@ class Supervisor(_message.Message):
     WAVE_OFF_REASON_FIELD_NUMBER: _ClassVar[int]
     APPROACH_HEADING_DEG_FIELD_NUMBER: _ClassVar[int]
     FIX_AGE_S_FIELD_NUMBER: _ClassVar[int]
+    CAPTURED_FIELD_NUMBER: _ClassVar[int]
     stamp: Stamp
     mode: Mode
     previous_mode: Mode
@@ -265,7 +270,8 @@ class Supervisor(_message.Message):
     wave_off_reason: WaveOffReason
     approach_heading_deg: float
     fix_age_s: float
-    def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., mode: _Optional[_Union[Mode, str]] = ..., previous_mode: _Optional[_Union[Mode, str]] = ..., range_m: _Optional[float] = ..., detection_raw: _Optional[bool] = ..., detection: _Optional[bool] = ..., kappa: _Optional[float] = ..., time_in_mode_s: _Optional[float] = ..., dwell_remaining_s: _Optional[float] = ..., range_rh_lower_m: _Optional[float] = ..., range_rh_upper_m: _Optional[float] = ..., range_fr_lower_m: _Optional[float] = ..., range_fr_upper_m: _Optional[float] = ..., range_hf_upper_m: _Optional[float] = ..., phase: _Optional[_Union[MissionPhase, str]] = ..., docking_stage: _Optional[_Union[DockingStage, str]] = ..., docking_tries: _Optional[int] = ..., docking_tries_most: _Optional[int] = ..., wave_off_reason: _Optional[_Union[WaveOffReason, str]] = ..., approach_heading_deg: _Optional[float] = ..., fix_age_s: _Optional[float] = ...) -> None: ...
+    captured: bool
+    def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., mode: _Optional[_Union[Mode, str]] = ..., previous_mode: _Optional[_Union[Mode, str]] = ..., range_m: _Optional[float] = ..., detection_raw: _Optional[bool] = ..., detection: _Optional[bool] = ..., kappa: _Optional[float] = ..., time_in_mode_s: _Optional[float] = ..., dwell_remaining_s: _Optional[float] = ..., range_rh_lower_m: _Optional[float] = ..., range_rh_upper_m: _Optional[float] = ..., range_fr_lower_m: _Optional[float] = ..., range_fr_upper_m: _Optional[float] = ..., range_hf_upper_m: _Optional[float] = ..., phase: _Optional[_Union[MissionPhase, str]] = ..., docking_stage: _Optional[_Union[DockingStage, str]] = ..., docking_tries: _Optional[int] = ..., docking_tries_most: _Optional[int] = ..., wave_off_reason: _Optional[_Union[WaveOffReason, str]] = ..., approach_heading_deg: _Optional[float] = ..., fix_age_s: _Optional[float] = ..., captured: _Optional[bool] = ...) -> None: ...
 
 class Control(_message.Message):
     __slots__ = ("stamp", "demanded", "demanded_raw", "achieved", "residual", "frozen")
@@ -546,7 +552,7 @@ class Event(_message.Message):
     def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., severity: _Optional[_Union[Severity, str]] = ..., code: _Optional[str] = ..., text: _Optional[str] = ..., details: _Optional[_Mapping[str, str]] = ...) -> None: ...
 
 class TruthState(_message.Message):
-    __slots__ = ("stamp", "position_ned_m", "attitude", "velocity_body_mps", "angular_rate_body_degps", "actuator_wrench", "current_ned_mps", "effectiveness", "target_position_ned_m")
+    __slots__ = ("stamp", "position_ned_m", "attitude", "velocity_body_mps", "angular_rate_body_degps", "actuator_wrench", "current_ned_mps", "effectiveness", "target_position_ned_m", "contact_force_n", "contact_force_most_n", "nose_depth_m", "nose_offset_m")
     STAMP_FIELD_NUMBER: _ClassVar[int]
     POSITION_NED_M_FIELD_NUMBER: _ClassVar[int]
     ATTITUDE_FIELD_NUMBER: _ClassVar[int]
@@ -556,6 +562,10 @@ class TruthState(_message.Message):
     CURRENT_NED_MPS_FIELD_NUMBER: _ClassVar[int]
     EFFECTIVENESS_FIELD_NUMBER: _ClassVar[int]
     TARGET_POSITION_NED_M_FIELD_NUMBER: _ClassVar[int]
+    CONTACT_FORCE_N_FIELD_NUMBER: _ClassVar[int]
+    CONTACT_FORCE_MOST_N_FIELD_NUMBER: _ClassVar[int]
+    NOSE_DEPTH_M_FIELD_NUMBER: _ClassVar[int]
+    NOSE_OFFSET_M_FIELD_NUMBER: _ClassVar[int]
     stamp: Stamp
     position_ned_m: Vector3
     attitude: Attitude
@@ -565,7 +575,11 @@ class TruthState(_message.Message):
     current_ned_mps: Vector3
     effectiveness: _containers.RepeatedScalarFieldContainer[float]
     target_position_ned_m: Vector3
-    def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., position_ned_m: _Optional[_Union[Vector3, _Mapping]] = ..., attitude: _Optional[_Union[Attitude, _Mapping]] = ..., velocity_body_mps: _Optional[_Union[Vector3, _Mapping]] = ..., angular_rate_body_degps: _Optional[_Union[Vector3, _Mapping]] = ..., actuator_wrench: _Optional[_Union[Wrench, _Mapping]] = ..., current_ned_mps: _Optional[_Union[Vector3, _Mapping]] = ..., effectiveness: _Optional[_Iterable[float]] = ..., target_position_ned_m: _Optional[_Union[Vector3, _Mapping]] = ...) -> None: ...
+    contact_force_n: float
+    contact_force_most_n: float
+    nose_depth_m: float
+    nose_offset_m: float
+    def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., position_ned_m: _Optional[_Union[Vector3, _Mapping]] = ..., attitude: _Optional[_Union[Attitude, _Mapping]] = ..., velocity_body_mps: _Optional[_Union[Vector3, _Mapping]] = ..., angular_rate_body_degps: _Optional[_Union[Vector3, _Mapping]] = ..., actuator_wrench: _Optional[_Union[Wrench, _Mapping]] = ..., current_ned_mps: _Optional[_Union[Vector3, _Mapping]] = ..., effectiveness: _Optional[_Iterable[float]] = ..., target_position_ned_m: _Optional[_Union[Vector3, _Mapping]] = ..., contact_force_n: _Optional[float] = ..., contact_force_most_n: _Optional[float] = ..., nose_depth_m: _Optional[float] = ..., nose_offset_m: _Optional[float] = ...) -> None: ...
 
 class StartMission(_message.Message):
     __slots__ = ("file_name", "mission_yaml", "seed", "operator")
@@ -721,8 +735,24 @@ class Outcome(_message.Message):
     tries: int
     def __init__(self, ending: _Optional[_Union[Ending, str]] = ..., reason: _Optional[str] = ..., basis: _Optional[str] = ..., mode: _Optional[_Union[Mode, str]] = ..., held_s: _Optional[float] = ..., closest_m: _Optional[float] = ..., closest_s: _Optional[float] = ..., true_errors: _Optional[_Union[EndErrors, _Mapping]] = ..., believed_errors: _Optional[_Union[EndErrors, _Mapping]] = ..., tries: _Optional[int] = ...) -> None: ...
 
+class CaptureMetrics(_message.Message):
+    __slots__ = ("captured", "time_s", "seat_time_s", "force_max_n", "force_most_n", "entry_offset_m")
+    CAPTURED_FIELD_NUMBER: _ClassVar[int]
+    TIME_S_FIELD_NUMBER: _ClassVar[int]
+    SEAT_TIME_S_FIELD_NUMBER: _ClassVar[int]
+    FORCE_MAX_N_FIELD_NUMBER: _ClassVar[int]
+    FORCE_MOST_N_FIELD_NUMBER: _ClassVar[int]
+    ENTRY_OFFSET_M_FIELD_NUMBER: _ClassVar[int]
+    captured: bool
+    time_s: float
+    seat_time_s: float
+    force_max_n: float
+    force_most_n: float
+    entry_offset_m: float
+    def __init__(self, captured: _Optional[bool] = ..., time_s: _Optional[float] = ..., seat_time_s: _Optional[float] = ..., force_max_n: _Optional[float] = ..., force_most_n: _Optional[float] = ..., entry_offset_m: _Optional[float] = ...) -> None: ...
+
 class Metrics(_message.Message):
-    __slots__ = ("run_id", "duration_s", "cycles", "residual_rms", "saturation_ratio", "d_u_fr", "d_u_rh", "switches", "modes", "solve_time_mean_us", "solve_time_std_us", "solve_time_p95_us", "solve_time_max_us", "final_range_m", "increment_violations", "demand_step_violations", "residual_rms_true", "missing_cycles", "solved_ratio", "outcome", "d_u_fr_settling", "d_u_rh_settling", "shaft_energy_j", "fin_travel_deg", "screw_reversals")
+    __slots__ = ("run_id", "duration_s", "cycles", "residual_rms", "saturation_ratio", "d_u_fr", "d_u_rh", "switches", "modes", "solve_time_mean_us", "solve_time_std_us", "solve_time_p95_us", "solve_time_max_us", "final_range_m", "increment_violations", "demand_step_violations", "residual_rms_true", "missing_cycles", "solved_ratio", "outcome", "d_u_fr_settling", "d_u_rh_settling", "shaft_energy_j", "fin_travel_deg", "screw_reversals", "capture")
     RUN_ID_FIELD_NUMBER: _ClassVar[int]
     DURATION_S_FIELD_NUMBER: _ClassVar[int]
     CYCLES_FIELD_NUMBER: _ClassVar[int]
@@ -748,6 +778,7 @@ class Metrics(_message.Message):
     SHAFT_ENERGY_J_FIELD_NUMBER: _ClassVar[int]
     FIN_TRAVEL_DEG_FIELD_NUMBER: _ClassVar[int]
     SCREW_REVERSALS_FIELD_NUMBER: _ClassVar[int]
+    CAPTURE_FIELD_NUMBER: _ClassVar[int]
     run_id: str
     duration_s: float
     cycles: int
@@ -773,7 +804,8 @@ class Metrics(_message.Message):
     shaft_energy_j: float
     fin_travel_deg: float
     screw_reversals: int
-    def __init__(self, run_id: _Optional[str] = ..., duration_s: _Optional[float] = ..., cycles: _Optional[int] = ..., residual_rms: _Optional[float] = ..., saturation_ratio: _Optional[float] = ..., d_u_fr: _Optional[float] = ..., d_u_rh: _Optional[float] = ..., switches: _Optional[_Iterable[_Union[SwitchMetrics, _Mapping]]] = ..., modes: _Optional[_Iterable[_Union[ModeMetrics, _Mapping]]] = ..., solve_time_mean_us: _Optional[float] = ..., solve_time_std_us: _Optional[float] = ..., solve_time_p95_us: _Optional[float] = ..., solve_time_max_us: _Optional[float] = ..., final_range_m: _Optional[float] = ..., increment_violations: _Optional[int] = ..., demand_step_violations: _Optional[int] = ..., residual_rms_true: _Optional[float] = ..., missing_cycles: _Optional[int] = ..., solved_ratio: _Optional[float] = ..., outcome: _Optional[_Union[Outcome, _Mapping]] = ..., d_u_fr_settling: _Optional[float] = ..., d_u_rh_settling: _Optional[float] = ..., shaft_energy_j: _Optional[float] = ..., fin_travel_deg: _Optional[float] = ..., screw_reversals: _Optional[int] = ...) -> None: ...
+    capture: CaptureMetrics
+    def __init__(self, run_id: _Optional[str] = ..., duration_s: _Optional[float] = ..., cycles: _Optional[int] = ..., residual_rms: _Optional[float] = ..., saturation_ratio: _Optional[float] = ..., d_u_fr: _Optional[float] = ..., d_u_rh: _Optional[float] = ..., switches: _Optional[_Iterable[_Union[SwitchMetrics, _Mapping]]] = ..., modes: _Optional[_Iterable[_Union[ModeMetrics, _Mapping]]] = ..., solve_time_mean_us: _Optional[float] = ..., solve_time_std_us: _Optional[float] = ..., solve_time_p95_us: _Optional[float] = ..., solve_time_max_us: _Optional[float] = ..., final_range_m: _Optional[float] = ..., increment_violations: _Optional[int] = ..., demand_step_violations: _Optional[int] = ..., residual_rms_true: _Optional[float] = ..., missing_cycles: _Optional[int] = ..., solved_ratio: _Optional[float] = ..., outcome: _Optional[_Union[Outcome, _Mapping]] = ..., d_u_fr_settling: _Optional[float] = ..., d_u_rh_settling: _Optional[float] = ..., shaft_energy_j: _Optional[float] = ..., fin_travel_deg: _Optional[float] = ..., screw_reversals: _Optional[int] = ..., capture: _Optional[_Union[CaptureMetrics, _Mapping]] = ...) -> None: ...
 
 class StreamMessage(_message.Message):
     __slots__ = ("topic", "schema", "payload", "receive_time_ns")

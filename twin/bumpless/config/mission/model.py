@@ -12,6 +12,7 @@ from typing import Annotated, Any, Literal
 
 from bumpless.config.capacity import MAX_FAULTS, MAX_WAYPOINTS
 from bumpless.config.declare import Choice, Entries, Number, Overrides, Part, Row, Text, model
+from bumpless.config.mission.dock import Dock, Motion
 from bumpless.config.mission.notes import Vector3, direction, moment, position
 from bumpless.config.mission.sea import Environment
 from bumpless.config.mission.sensing import Sensors
@@ -94,6 +95,9 @@ class Target:
     def dock_radius_m(self) -> float:
         """Of the circle about the target that holds the dock."""
         return math.hypot(0.5 * self.dock_width_m, self.dock_length_m)
+
+    dock: Annotated[Dock | None, Part("Dock to enter, behind the observation point")] = None
+    motion: Annotated[Motion | None, Part("Motion of a hung dock")] = None
 
     @property
     def turn_deg(self) -> float:
