@@ -17,6 +17,7 @@ from bumpless.contract.version import software_version
 from bumpless.runs.names import COMPLETE
 from bumpless.runs.view import View
 from bumpless_server.data_dir import DataDir
+from bumpless_server.foresight.foresight import Foresight
 from bumpless_server.live.bus import Bus, NoAnswer
 from bumpless_server.live.dispatch import Dispatcher
 from bumpless_server.live.sample import EVENT, Sample
@@ -48,6 +49,7 @@ class Console:
         self.state = State(settings.vehicle_id)
         self.missions = Missions(self.data.missions, vehicle=self.vehicle)
         self.presets = Presets(self.data.presets)
+        self.foresight = Foresight(self.vehicle)  # on the web's loop, which ends it
         self.catalogue = Catalogue(self.data.runs, self.data.index)
         self.recorder = Recorder(
             self.data.runs,

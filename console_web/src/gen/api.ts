@@ -789,6 +789,8 @@ export interface components {
             field: string;
             /** Line */
             line: number;
+            /** Message */
+            message: string;
             /** Rule */
             rule: string;
             /** Value */
@@ -825,13 +827,6 @@ export interface components {
              * @description comes back with every answer
              */
             id: number;
-            /**
-             * @default {
-             *       "current": null,
-             *       "parameters": {},
-             *       "vehicle": null
-             *     }
-             */
             overrides?: components["schemas"]["Overrides"];
             /**
              * Seed

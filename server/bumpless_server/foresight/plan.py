@@ -1,4 +1,4 @@
-"""From a planner's text to what is flown: mission, vehicle and parameters, or every problem with its place."""
+"""From a planner's text to what is flown: mission, vehicle and parameters, or every problem."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace

@@ -14,7 +14,17 @@ from bumpless_server.web import errors
 from bumpless_server.web.auth import Auth, session_cookie
 from bumpless_server.web.body_limit import BodyLimit
 from bumpless_server.web.guard import Guard
-from bumpless_server.web.routes import declared, foresight, help, missions, page, parameters, runs, status, stream
+from bumpless_server.web.routes import (
+    declared,
+    foresight,
+    help,
+    missions,
+    page,
+    parameters,
+    runs,
+    status,
+    stream,
+)
 
 log = logging.getLogger(__name__)
 
@@ -32,6 +42,7 @@ def create_app(settings: Settings, console: Console | None = None) -> FastAPI:
             if own:
                 await run_in_threadpool(console.start)
                 stack.push_async_callback(run_in_threadpool, console.stop)
+            stack.push_async_callback(console.foresight.stop)
             if app.state.scene is not None:
                 await _start(app.state.scene, stack)
             yield
