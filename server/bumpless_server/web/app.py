@@ -18,6 +18,7 @@ from bumpless_server.web.routes import (
     declared,
     foresight,
     help,
+    library,
     missions,
     page,
     parameters,
@@ -28,7 +29,9 @@ from bumpless_server.web.routes import (
 
 log = logging.getLogger(__name__)
 
-ROUTERS = tuple(part.router for part in (status, missions, parameters, declared, runs, stream, foresight))
+ROUTERS = tuple(
+    part.router for part in (status, missions, library, parameters, declared, runs, stream, foresight)
+)
 
 
 def create_app(settings: Settings, console: Console | None = None) -> FastAPI:
