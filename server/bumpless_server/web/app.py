@@ -16,6 +16,7 @@ from bumpless_server.web.body_limit import BodyLimit
 from bumpless_server.web.guard import Guard
 from bumpless_server.web.routes import (
     declared,
+    exchange,
     foresight,
     help,
     library,
@@ -30,7 +31,8 @@ from bumpless_server.web.routes import (
 log = logging.getLogger(__name__)
 
 ROUTERS = tuple(
-    part.router for part in (status, missions, library, parameters, declared, runs, stream, foresight)
+    part.router
+    for part in (status, missions, exchange, library, parameters, declared, runs, stream, foresight)
 )
 
 
