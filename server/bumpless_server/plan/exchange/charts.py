@@ -20,17 +20,19 @@ def read_geojson(text: str) -> Route:
         raise NotImportable(f"is not valid JSON: {error}") from None
     route = Route(GEOJSON, geographic=True)
     found = list(_features(tree, 0))
-    lines = [f for f in found if f[1] in ("LineString", "MultiLineString")]
-    for i, (name, kind, coordinates, speed) in enumerate(found, 1):
-        what = f"feature {i}: {name or kind}"
-        if kind == "LineString" and lines and (name, kind, coordinates, speed) is lines[0]:
+    line = next(
+        (i for i, (_, kind, *_) in enumerate(found) if kind in ("LineString", "MultiLineString")), None
+    )
+    for i, (name, kind, coordinates, speed) in enumerate(found):
+        what = f"feature {i + 1}: {name or kind}"
+        if i == line and kind == "MultiLineString":
+            coordinates = [place for part in _rows(coordinates, what) for place in _rows(part, what)]
+        if i == line:
             _line(route, what, coordinates, speed)
-        elif kind == "MultiLineString" and lines and (name, kind, coordinates, speed) is lines[0]:
-            _line(route, what, [p for line in _rows(coordinates, what) for p in _rows(line, what)], speed)
-        elif kind == "Point" and not lines:
+        elif kind == "Point" and line is None:
             _line(route, what, [coordinates], speed)
         else:
-            route.left(what, "one way is imported, the first line" if lines else f"a {kind} is no way")
+            route.left(what, f"a {kind} is no way" if line is None else "one way is imported, the first line")
     return route
 
 

@@ -3,7 +3,6 @@
 import json
 from dataclasses import dataclass
 
-from bumpless.config.problems import Problem
 from bumpless.config.text import BOM, NotText, decoded, foreign_kind
 from bumpless_server.plan.exchange.charts import KML, read_geojson, read_kml
 from bumpless_server.plan.exchange.hostile import unpacked
@@ -43,10 +42,10 @@ def read_route(data: bytes, file_name: str) -> Route:
         return read_route(content, inside)
     if start.lstrip().startswith(b"<"):
         return _xml(data, start)
-    text = _text(data, file_name)
+    kind = foreign_kind(data)
+    text = _text(data, file_name, kind)
     if start.lstrip().startswith((b"{", b"[")):
         return _json(text)
-    kind = foreign_kind(data)
     if kind is not None and "WPL" in kind:
         return read_wpl(text)
     if name.endswith((".bhv", ".bhv.txt")) or "behavior" in text[:20_000].lower().split("=")[0]:
@@ -87,9 +86,8 @@ def _json(text: str) -> Route:
     return read_geojson(text)
 
 
-def _text(data: bytes, file_name: str) -> str:
+def _text(data: bytes, file_name: str, kind: str | None) -> str:
     try:
         return decoded(data, file_name)
     except NotText as error:
-        problem: Problem = error.problem
-        raise NotImportable(problem.rule) from None
+        raise NotImportable(f"is {kind}" if kind else error.problem.rule) from None
