@@ -17,6 +17,7 @@ from bumpless_server.web.guard import Guard
 from bumpless_server.web.routes import (
     declared,
     exchange,
+    findings,
     foresight,
     help,
     library,
@@ -32,7 +33,7 @@ log = logging.getLogger(__name__)
 
 ROUTERS = tuple(
     part.router
-    for part in (status, missions, exchange, library, parameters, declared, runs, stream, foresight)
+    for part in (status, missions, findings, exchange, library, parameters, declared, runs, stream, foresight)
 )
 
 

@@ -12,6 +12,7 @@ from bumpless_server.web.answers.missions import MissionDetail, MissionSummary
 from bumpless_server.web.answers.refusal import REFUSALS
 from bumpless_server.web.errors import Refusal
 from bumpless_server.web.routes import Served
+from bumpless_server.web.routes.findings import refuse_hopeless
 
 router = APIRouter(prefix="/api", responses=REFUSALS)
 
@@ -23,6 +24,9 @@ class Start(BaseModel):
     name: str
     seed: int | None = Field(None, ge=0, le=2**32 - 1)
     operator: str = Field("", max_length=80)
+    despite_findings: bool = Field(
+        False, description="start though a finding says that it can't work: the operator has read it"
+    )
 
 
 async def text_of(request: Request) -> str:
@@ -78,6 +82,7 @@ def start(console: Served, wanted: Start = Body(...)) -> CommandReply:
         raise Refusal(404, f"there is no mission {wanted.name!r}")
     if file.mission is None:
         raise Refusal(422, f"{file.path.name} is not valid", [one.as_dict() for one in file.problems])
+    refuse_hopeless(console, file, wanted.despite_findings)
     request = pb.StartMission(
         file_name=file.path.name, mission_yaml=file.text, seed=wanted.seed, operator=wanted.operator
     )
