@@ -14,11 +14,27 @@ from bumpless_server.web import errors
 from bumpless_server.web.auth import Auth, session_cookie
 from bumpless_server.web.body_limit import BodyLimit
 from bumpless_server.web.guard import Guard
-from bumpless_server.web.routes import declared, help, missions, page, parameters, runs, status, stream
+from bumpless_server.web.routes import (
+    declared,
+    exchange,
+    findings,
+    foresight,
+    help,
+    library,
+    missions,
+    page,
+    parameters,
+    runs,
+    status,
+    stream,
+)
 
 log = logging.getLogger(__name__)
 
-ROUTERS = tuple(part.router for part in (status, missions, parameters, declared, runs, stream))
+ROUTERS = tuple(
+    part.router
+    for part in (status, missions, findings, exchange, library, parameters, declared, runs, stream, foresight)
+)
 
 
 def create_app(settings: Settings, console: Console | None = None) -> FastAPI:
@@ -32,6 +48,7 @@ def create_app(settings: Settings, console: Console | None = None) -> FastAPI:
             if own:
                 await run_in_threadpool(console.start)
                 stack.push_async_callback(run_in_threadpool, console.stop)
+            stack.push_async_callback(console.foresight.stop)
             if app.state.scene is not None:
                 await _start(app.state.scene, stack)
             yield

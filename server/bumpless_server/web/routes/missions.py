@@ -6,11 +6,13 @@ from google.protobuf.message import Message
 from pydantic import BaseModel, ConfigDict, Field
 
 from bumpless.contract import bumpless_pb2 as pb
+from bumpless_server.plan.marks import Mark
 from bumpless_server.web.answers.contract import CommandReply, told
 from bumpless_server.web.answers.missions import MissionDetail, MissionSummary
 from bumpless_server.web.answers.refusal import REFUSALS
 from bumpless_server.web.errors import Refusal
 from bumpless_server.web.routes import Served
+from bumpless_server.web.routes.findings import refuse_hopeless
 
 router = APIRouter(prefix="/api", responses=REFUSALS)
 
@@ -22,6 +24,9 @@ class Start(BaseModel):
     name: str
     seed: int | None = Field(None, ge=0, le=2**32 - 1)
     operator: str = Field("", max_length=80)
+    despite_findings: bool = Field(
+        False, description="start though a finding says that it can't work: the operator has read it"
+    )
 
 
 async def text_of(request: Request) -> str:
@@ -46,7 +51,8 @@ def carry_out(console: Served, verb: str, request: Message) -> CommandReply:
 @router.get("/missions")
 def missions(console: Served) -> list[MissionSummary]:
     """All missions, built-in ones first."""
-    return [MissionSummary.of(file) for file in console.missions.all()]
+    marks = console.library.marks.all()
+    return [MissionSummary.of(file, marks.get(file.name, Mark())) for file in console.missions.all()]
 
 
 @router.get("/missions/{name}")
@@ -55,7 +61,7 @@ def mission(console: Served, name: str) -> MissionDetail:
     file = console.missions.get(name)
     if file is None:
         raise Refusal(404, f"there is no mission {name!r}")
-    return MissionDetail.of(file)
+    return MissionDetail.of(file, console.library.marks.of(file.name))
 
 
 @router.post("/missions", status_code=201)
@@ -63,17 +69,9 @@ async def upload(
     console: Served, request: Request, response: Response, name: str, replace: bool = False
 ) -> MissionDetail:
     """Check and keep a mission file, sent as the body's bytes; they are kept as they are."""
-    file = await run_in_threadpool(console.missions.save, name, await request.body(), replace)
+    file = await run_in_threadpool(console.library.save, name, await request.body(), replace)
     response.headers["location"] = f"/api/missions/{file.name}"
-    return MissionDetail.of(file)
-
-
-@router.delete("/missions/{name}", status_code=204)
-def remove(console: Served, name: str) -> Response:
-    """Delete an uploaded mission."""
-    if not console.missions.delete(name):
-        raise Refusal(404, f"there is no mission {name!r}")
-    return Response(status_code=204)
+    return MissionDetail.of(file, console.library.marks.of(file.name))
 
 
 @router.post("/mission/start")
@@ -84,6 +82,7 @@ def start(console: Served, wanted: Start = Body(...)) -> CommandReply:
         raise Refusal(404, f"there is no mission {wanted.name!r}")
     if file.mission is None:
         raise Refusal(422, f"{file.path.name} is not valid", [one.as_dict() for one in file.problems])
+    refuse_hopeless(console, file, wanted.despite_findings)
     request = pb.StartMission(
         file_name=file.path.name, mission_yaml=file.text, seed=wanted.seed, operator=wanted.operator
     )
