@@ -1215,6 +1215,11 @@ export interface components {
             operator?: string;
             /** Seed */
             seed?: number | null;
+            /**
+             * Sha256
+             * @description Refuse when the file is another
+             */
+            sha256?: string | null;
         };
         /**
          * Status

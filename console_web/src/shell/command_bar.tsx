@@ -12,7 +12,7 @@ import { PauseIcon, PlayIcon, StopIcon } from "../ui/icons";
 import { useKeptFocus } from "../ui/keep_focus";
 import { ProblemTable, RefusalNotice } from "../ui/refusal";
 import "./command_bar.css";
-import { busy, chosen, command, mission, notice, seed, startChosen } from "./commands";
+import { busy, choosing, chosen, command, mission, notice, seed, seedRefused, startChosen } from "./commands";
 
 const PHASE_LOOKS: Partial<Record<MissionPhase, string>> = {
   [MissionPhase.RUNNING]: "running",
@@ -155,7 +155,6 @@ function Elapsed({ elapsedS, durationS }: { elapsedS: number; durationS: number 
 
 function Chooser({ disabled }: { disabled: boolean }) {
   const list = missions.value ?? [];
-  const badSeed = seed.value.trim() !== "" && !/^\d{1,9}$/.test(seed.value.trim());
   return (
     <form
       class="chooser"
@@ -183,7 +182,7 @@ function Chooser({ disabled }: { disabled: boolean }) {
         <input
           inputMode="numeric"
           placeholder="auto"
-          aria-invalid={badSeed}
+          aria-invalid={seedRefused.value}
           title="Seed of the simulated sensors and sea; empty: the mission's own"
           value={seed.value}
           onInput={(event) => {
@@ -191,7 +190,11 @@ function Chooser({ disabled }: { disabled: boolean }) {
           }}
         />
       </label>
-      <button type="submit" class="action primary" disabled={disabled || !mission.value || badSeed}>
+      <button
+        type="submit"
+        class="action primary"
+        disabled={disabled || choosing.value || !mission.value || seedRefused.value}
+      >
         <PlayIcon /> {busy.value === "start" ? "Starting" : "Start"}
       </button>
     </form>
