@@ -566,6 +566,325 @@ export interface components {
         } & {
             [key: string]: unknown;
         };
+        /**
+         * ForesightChance
+         * @description Share of the flights so far that docked, with its Wilson interval of 95 %.
+         */
+        ForesightChance: {
+            /** Counts */
+            counts: {
+                [key: string]: number;
+            };
+            /** Docked */
+            docked: number;
+            /** High */
+            high: number;
+            /** Low */
+            low: number;
+            /** Of */
+            of: number;
+        };
+        /**
+         * ForesightDone
+         * @description Nothing more comes for this request.
+         */
+        ForesightDone: {
+            /** Id */
+            id: number;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "done";
+        };
+        /**
+         * ForesightErrors
+         * @description Against the observation point and the approach heading.
+         */
+        ForesightErrors: {
+            /** Depth M */
+            depth_m: number;
+            /** Heading Deg */
+            heading_deg: number;
+            /** Horizontal M */
+            horizontal_m: number;
+            /** Position M */
+            position_m: number;
+            /** Speed Mps */
+            speed_mps: number;
+        };
+        /**
+         * ForesightFailed
+         * @description The request could not be carried out; the last message of its request.
+         */
+        ForesightFailed: {
+            /** Id */
+            id: number;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "failed";
+            /** Reason */
+            reason: string;
+        };
+        /**
+         * ForesightFan
+         * @description Flights that were not told before, and the chance by all so far.
+         */
+        ForesightFan: {
+            chance: components["schemas"]["ForesightChance"];
+            /** Done */
+            done: number;
+            /** Flights */
+            flights: components["schemas"]["ForesightFlight"][];
+            /** Id */
+            id: number;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "fan";
+            /** Of */
+            of: number;
+        };
+        /**
+         * ForesightFinding
+         * @description What of the plan can't work (hard) or is unlikely to (soft), and what would mend it.
+         */
+        ForesightFinding: {
+            /** Change */
+            change: string;
+            /** Code */
+            code: string;
+            /** Column */
+            column: number;
+            /** Line */
+            line: number;
+            /** Mends */
+            mends: components["schemas"]["ForesightMend"][];
+            /** Path */
+            path: string;
+            /** Reason */
+            reason: string;
+            /**
+             * Severity
+             * @enum {string}
+             */
+            severity: "hard" | "soft";
+        };
+        /**
+         * ForesightFindings
+         * @description What stands against the plan, hard ones first.
+         */
+        ForesightFindings: {
+            /** Findings */
+            findings: components["schemas"]["ForesightFinding"][];
+            /** Id */
+            id: number;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "findings";
+        };
+        /**
+         * ForesightFlight
+         * @description One drawn flight: how it ended and at most 60 points of its way.
+         */
+        ForesightFlight: {
+            /** Closest M */
+            closest_m: number;
+            /** Depth M */
+            depth_m: number[];
+            /** East M */
+            east_m: number[];
+            /** End S */
+            end_s: number;
+            /** North M */
+            north_m: number[];
+            /** Number */
+            number: number;
+            /** Outcome */
+            outcome: string;
+            /** Seed */
+            seed: number;
+        };
+        /**
+         * ForesightMend
+         * @description A change of the document that mends a finding.
+         */
+        ForesightMend: {
+            /** Label */
+            label: string;
+            /** Path */
+            path: string;
+            /** Value */
+            value: number | string | boolean | number[] | null;
+        };
+        ForesightMessage: components["schemas"]["ForesightProblems"] | components["schemas"]["ForesightFindings"] | components["schemas"]["ForesightNominal"] | components["schemas"]["ForesightFan"] | components["schemas"]["ForesightDone"] | components["schemas"]["ForesightFailed"];
+        /**
+         * ForesightNominal
+         * @description The flight of the plan as it stands: equal, to the bit, to `bumpless run` of the same text and seed.
+         */
+        ForesightNominal: {
+            /** Arrival S */
+            arrival_s: number | null;
+            /** Digest */
+            digest: string;
+            /** Elapsed Ms */
+            elapsed_ms: number;
+            /** Energy J */
+            energy_j: number;
+            /** Id */
+            id: number;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "nominal";
+            /** Length M */
+            length_m: number;
+            outcome: components["schemas"]["ForesightOutcome"];
+            /** Seed */
+            seed: number;
+            /** Sha256 */
+            sha256: string;
+            /** Switches */
+            switches: components["schemas"]["ForesightSwitch"][];
+            track: components["schemas"]["ForesightTrack"];
+        };
+        /**
+         * ForesightOutcome
+         * @description How the flight ended: the fields of `bumpless.Outcome`.
+         */
+        ForesightOutcome: {
+            /** Basis */
+            basis: string;
+            believed_errors: components["schemas"]["ForesightErrors"] | null;
+            /** Closest M */
+            closest_m: number | null;
+            /** Closest S */
+            closest_s: number | null;
+            /** Ending */
+            ending: string;
+            /** Held S */
+            held_s: number;
+            /** Mode */
+            mode: string;
+            /** Reason */
+            reason: string;
+            /** Tries */
+            tries: number;
+            true_errors: components["schemas"]["ForesightErrors"] | null;
+        };
+        /**
+         * ForesightProblem
+         * @description A rule of the format that the text breaks, with its place.
+         */
+        ForesightProblem: {
+            /** Column */
+            column: number;
+            /** Field */
+            field: string;
+            /** Line */
+            line: number;
+            /** Rule */
+            rule: string;
+            /** Value */
+            value: string;
+        };
+        /**
+         * ForesightProblems
+         * @description The text can't be read; the last message of its request.
+         */
+        ForesightProblems: {
+            /** Id */
+            id: number;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "problems";
+            /** Problems */
+            problems: components["schemas"]["ForesightProblem"][];
+        };
+        /**
+         * ForesightRequest
+         * @description One request of a client of /ws/foresight. A newer one takes the place of an older one at once.
+         */
+        ForesightRequest: {
+            /**
+             * Flights
+             * @description drawn flights after the nominal one
+             * @default 0
+             */
+            flights?: number;
+            /**
+             * Id
+             * @description comes back with every answer
+             */
+            id: number;
+            /**
+             * @default {
+             *       "current": null,
+             *       "parameters": {},
+             *       "vehicle": null
+             *     }
+             */
+            overrides?: components["schemas"]["Overrides"];
+            /**
+             * Seed
+             * @description null: the mission's own
+             * @default null
+             */
+            seed?: number | null;
+            /**
+             * Text
+             * @description the mission's YAML, BOM and line ends and all
+             */
+            text: string;
+        };
+        /**
+         * ForesightSwitch
+         * @description A change of mode.
+         */
+        ForesightSwitch: {
+            /** From */
+            from: string;
+            /** T S */
+            t_s: number;
+            /** To */
+            to: string;
+        };
+        /**
+         * ForesightTrack
+         * @description The flight's truth, at most 600 cycles of it.
+         */
+        ForesightTrack: {
+            /** Depth Error M */
+            depth_error_m: number[];
+            /** Depth M */
+            depth_m: number[];
+            /** East M */
+            east_m: number[];
+            /** Heading Deg */
+            heading_deg: number[];
+            /** Margin */
+            margin: number[];
+            /** Mode */
+            mode: string[];
+            /** North M */
+            north_m: number[];
+            /** Saturation */
+            saturation: number[];
+            /** Speed M S */
+            speed_m_s: number[];
+            /** T S */
+            t_s: number[];
+            /** Worst Actuator */
+            worst_actuator: string[];
+        };
         /** HTTPValidationError */
         HTTPValidationError: {
             /** Detail */
@@ -1002,6 +1321,35 @@ export interface components {
              */
             tries: number;
             true_errors: components["schemas"]["EndErrors"] | null;
+        };
+        /**
+         * Overrides
+         * @description What-if: numbers that differ from the document's.
+         */
+        Overrides: {
+            /**
+             * Current
+             * @description NED, m/s, the way it flows, in place of the mission's
+             * @default null
+             */
+            current?: [
+                number,
+                number,
+                number
+            ] | null;
+            /**
+             * Parameters
+             * @description by path: {"hover.lambda": 0.01}
+             */
+            parameters?: {
+                [key: string]: unknown;
+            };
+            /**
+             * Vehicle
+             * @description another vehicle's id
+             * @default null
+             */
+            vehicle?: string | null;
         };
         /**
          * Parameters

@@ -53,14 +53,14 @@ def validate(
         except OSError as error:
             reason = f"cannot be read: {error.strerror or error}"
             problems = (Problem(str(path), None, None, "", None, reason),)
-        ok = not problems and all(finding.severity != "error" for finding in findings)
+        ok = not problems and not any(finding.blocks for finding in findings)
         found = {"ok": ok, "problems": [p.as_dict() for p in problems], "warnings": warnings}
         results.append({"file": str(path), **found, "findings": [f.as_dict() for f in findings]})
         if not as_json:
             for problem in problems:
                 typer.echo(str(problem), err=True)
             for finding in findings:
-                typer.echo(f"{path}: {finding.severity}: {finding}", err=True)
+                typer.echo(f"{path}: {finding.word}: {finding}", err=True)
             for warning in warnings:
                 typer.echo(f"{path}: warning: {warning}", err=True)
             if ok:

@@ -10,7 +10,7 @@ from bumpless.config.mission import Mission
 from bumpless.config.parameters import Parameters
 from bumpless.config.vehicle import Vehicle
 from bumpless.control.docking.line import approach_speed
-from bumpless.feasibility.finding import ERROR, WARNING, Finding
+from bumpless.feasibility.finding import HARD, SOFT, Finding, Mend
 from bumpless.feasibility.reach import docking_settings, plain, top_speed
 from bumpless.physics.model import build_model
 
@@ -27,11 +27,13 @@ def check_legs(mission: Mission, vehicle: Vehicle, parameters: Parameters) -> It
         field = f"legs[{i}].speed_mps"
         if leg.speed_mps > fastest:
             text = f"{leg.speed_mps:g} m/s is faster than {vehicle.id} can be: {fastest:.2f} m/s."
-            yield Finding(ERROR, "leg_too_fast", field, text, f"Fly it at {fastest:.1f} m/s or slower.")
+            slower = math.floor(10.0 * fastest) / 10.0
+            mend = Mend(field, slower, f"Fly it at {slower:g} m/s")
+            yield Finding(HARD, "leg_too_fast", field, text, f"Fly it at {slower:g} m/s or slower.", (mend,))
             continue
         if leg_speed(mission, i) <= 0.02:
             text = "The current sets it off the leg faster than it can make good."
-            yield Finding(ERROR, "leg_not_flyable", field, text, "Fly it faster, or along another way.")
+            yield Finding(HARD, "leg_not_flyable", field, text, "Fly it faster, or along another way.")
             continue
         yield from _depth(mission, i, start, end, parameters)
 
@@ -73,7 +75,7 @@ def _depth(
         text = f"{change:.1f} m of depth in {time:.0f} s is more than the {rate:g} m/s its depth can follow."
         least = change / rate * leg_speed(mission, i)
         what = f"Make the leg {least:.0f} m long, or fly it slower."
-        yield Finding(WARNING, "leg_too_steep", f"legs[{i}].to_ned_m", text, what)
+        yield Finding(SOFT, "leg_too_steep", f"legs[{i}].to_ned_m", text, what)
 
 
 def approach_time(parameters: Parameters, mission: Mission) -> float:
@@ -102,13 +104,14 @@ def check_time(mission: Mission, parameters: Parameters) -> Iterator[Finding]:
     total, most = way + more + hold, mission.duration_s
     if not math.isfinite(way):
         return
-    needed = f"Allow {math.ceil(total / 10.0) * 10:.0f} s."
+    allow = math.ceil(total / 10.0) * 10.0
+    needed, mends = f"Allow {allow:.0f} s.", (Mend("duration_s", allow, f"Allow {allow:.0f} s"),)
     if way > most:
         text = f"The legs alone take {way:.0f} s, the mission ends after {most:g} s."
-        yield Finding(ERROR, "too_far", "duration_s", text, needed)
+        yield Finding(HARD, "too_far", "duration_s", text, needed, mends)
     elif total > most:
         text = f"Legs, approach and {hold:g} s of hover take about {total:.0f} s of {most:g} s."
-        yield Finding(WARNING, "short_of_time", "duration_s", text, needed)
+        yield Finding(SOFT, "short_of_time", "duration_s", text, needed, mends)
 
 
 def check_end(mission: Mission) -> Iterator[Finding]:
@@ -118,11 +121,17 @@ def check_end(mission: Mission) -> Iterator[Finding]:
     field = f"legs[{len(mission.legs) - 1}].to_ned_m"
     if aside > _ASIDE_M:
         text = f"The last leg ends {aside:.1f} m from the observation point."
-        what = f"End it at [{point[0]:.1f}, {point[1]:.1f}, {point[2]:.1f}]."
-        yield Finding(WARNING, "target_not_on_path", field, text, what)
+        place = tuple(round(x, 1) for x in point)
+        what = f"End it at [{place[0]:g}, {place[1]:g}, {place[2]:g}]."
+        mend = Mend(field, place, "End the last leg at the observation point")
+        yield Finding(SOFT, "target_not_on_path", field, text, what, (mend,))
     if abs(deeper) > _DEEPER_M:
         side = "below" if deeper > 0.0 else "above"
         text = f"The target lies {abs(deeper):.1f} m {side} the end of the last leg: is its depth mistyped?"
-        yield Finding(
-            WARNING, "target_depth", "target.position_ned_m", text, f"Let the leg end at {point[2]:g} m."
+        north, east, _ = mission.target.position_ned_m
+        mends = (
+            Mend("target.position_ned_m", (north, east, end[2]), f"Target at {end[2]:g} m"),
+            Mend(field, (end[0], end[1], point[2]), f"End the last leg at {point[2]:g} m"),
         )
+        what = f"Put the target at {end[2]:g} m, or let the leg end at {point[2]:g} m."
+        yield Finding(SOFT, "target_depth", "target.position_ned_m", text, what, mends)
