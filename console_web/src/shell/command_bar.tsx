@@ -13,7 +13,10 @@ import { useKeptFocus } from "../ui/keep_focus";
 import { ProblemTable, RefusalNotice } from "../ui/refusal";
 import "./command_bar.css";
 import { busy, choosing, chosen, command, mission, notice, seed, seedRefused, startChosen } from "./commands";
+import { view } from "./views";
 
+/** The view with a start of its own, by what it shows: a second one beside it would fly something else. */
+const STARTS_ITSELF = "plan";
 const PHASE_LOOKS: Partial<Record<MissionPhase, string>> = {
   [MissionPhase.RUNNING]: "running",
   [MissionPhase.PAUSED]: "paused",
@@ -35,7 +38,7 @@ export function CommandBar() {
       <section class="commandbar" aria-label="Mission control" ref={bar}>
         <Progress />
         <span class="grow" />
-        {!flying.value && <Chooser disabled={!ready} />}
+        {!flying.value && view.value !== STARTS_ITSELF && <Chooser disabled={!ready} />}
         {flying.value && (
           <button
             type="button"

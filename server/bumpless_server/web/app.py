@@ -14,11 +14,24 @@ from bumpless_server.web import errors
 from bumpless_server.web.auth import Auth, session_cookie
 from bumpless_server.web.body_limit import BodyLimit
 from bumpless_server.web.guard import Guard
-from bumpless_server.web.routes import declared, foresight, help, missions, page, parameters, runs, status, stream
+from bumpless_server.web.routes import (
+    declared,
+    foresight,
+    help,
+    missions,
+    page,
+    parameters,
+    planning,
+    runs,
+    status,
+    stream,
+)
 
 log = logging.getLogger(__name__)
 
-ROUTERS = tuple(part.router for part in (status, missions, parameters, declared, runs, stream, foresight))
+ROUTERS = tuple(
+    part.router for part in (status, missions, planning, parameters, declared, runs, stream, foresight)
+)
 
 
 def create_app(settings: Settings, console: Console | None = None) -> FastAPI:
