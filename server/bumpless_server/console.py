@@ -17,11 +17,13 @@ from bumpless.contract.version import software_version
 from bumpless.runs.names import COMPLETE
 from bumpless.runs.view import View
 from bumpless_server.data_dir import DataDir
+from bumpless_server.foresight.foresight import Foresight
 from bumpless_server.live.bus import Bus, NoAnswer
 from bumpless_server.live.dispatch import Dispatcher
 from bumpless_server.live.sample import EVENT, Sample
 from bumpless_server.live.state import State
 from bumpless_server.live.stream import Stream
+from bumpless_server.plan.library import Library
 from bumpless_server.plan.missions import Missions
 from bumpless_server.plan.presets import Presets
 from bumpless_server.runs.catalogue import Catalogue
@@ -47,7 +49,9 @@ class Console:
         self.data = DataDir(settings.data_dir)
         self.state = State(settings.vehicle_id)
         self.missions = Missions(self.data.missions, vehicle=self.vehicle)
+        self.library = Library(self.missions, self.data)
         self.presets = Presets(self.data.presets)
+        self.foresight = Foresight(self.vehicle)  # on the web's loop, which ends it
         self.catalogue = Catalogue(self.data.runs, self.data.index)
         self.recorder = Recorder(
             self.data.runs,

@@ -12,12 +12,16 @@ class DataDirError(RuntimeError):
 
 
 class DataDir:
-    """data_dir/{runs,missions,presets}, index.sqlite, node.json, node.log, secret and a lock."""
+    """data_dir/{runs,missions,mission_*,presets}, index.sqlite, node.json, node.log, secret and a lock."""
 
     def __init__(self, root: Path) -> None:
         self.root = root
         self.runs = root / "runs"
         self.missions = root / "missions"
+        self.versions = root / "mission_history"
+        self.bin = root / "mission_bin"
+        self.drafts = root / "mission_drafts"
+        self.marks = root / "mission_marks.json"
         self.presets = root / "presets"
         self.index = root / "index.sqlite"
         self.node_record = root / "node.json"
@@ -27,7 +31,7 @@ class DataDir:
     def open(self) -> None:
         """Make the folders and take the lock. Raises DataDirError."""
         try:
-            for folder in (self.runs, self.missions, self.presets):
+            for folder in (self.runs, self.missions, self.versions, self.bin, self.drafts, self.presets):
                 folder.mkdir(parents=True, exist_ok=True)
             lock = (self.root / "lock").open("w")
         except OSError as error:

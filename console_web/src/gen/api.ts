@@ -4,6 +4,26 @@
  */
 
 export interface paths {
+    "/api/drafts": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Drafts
+         * @description All work in progress.
+         */
+        get: operations["drafts_api_drafts_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/events": {
         parameters: {
             query?: never;
@@ -56,6 +76,66 @@ export interface paths {
          * @description The server answers; says nothing of the vehicle.
          */
         get: operations["health_api_health_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/mission-bin": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Binned
+         * @description What was deleted, newest first.
+         */
+        get: operations["binned_api_mission_bin_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/mission-bin/{binned}/restore": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Restore
+         * @description Undo a deletion; where the name was given anew, the mission comes back under another.
+         */
+        post: operations["restore_api_mission_bin__binned__restore_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/mission-templates": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Mission Templates
+         * @description Whole missions to begin from, for a vehicle: by default the console's.
+         */
+        get: operations["mission_templates_api_mission_templates_get"];
         put?: never;
         post?: never;
         delete?: never;
@@ -140,13 +220,168 @@ export interface paths {
          * @description One mission with its text.
          */
         get: operations["mission_api_missions__name__get"];
-        put?: never;
+        /**
+         * Save
+         * @description Check and keep a mission's bytes as they are, new or in place of its own; the version before stays in
+         *     its history.
+         *
+         *     base: hash of the file that was edited; when it is another by now, nothing is saved (409).
+         */
+        put: operations["save_api_missions__name__put"];
         post?: never;
         /**
          * Remove
-         * @description Delete an uploaded mission.
+         * @description Put an uploaded mission into the bin; its id takes it out again.
          */
         delete: operations["remove_api_missions__name__delete"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/missions/{name}/draft": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Draft
+         * @description Work in progress on a mission.
+         */
+        get: operations["draft_api_missions__name__draft_get"];
+        /**
+         * Keep Draft
+         * @description Keep work in progress, whatever it holds; saving the mission drops it.
+         */
+        put: operations["keep_draft_api_missions__name__draft_put"];
+        post?: never;
+        /**
+         * Drop Draft
+         * @description Forget work in progress.
+         */
+        delete: operations["drop_draft_api_missions__name__draft_delete"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/missions/{name}/duplicate": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Duplicate
+         * @description A copy of a mission under another file name.
+         */
+        post: operations["duplicate_api_missions__name__duplicate_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/missions/{name}/file": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * File
+         * @description The mission's file, byte for byte.
+         */
+        get: operations["file_api_missions__name__file_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/missions/{name}/history": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * History
+         * @description Every saved version, newest first.
+         */
+        get: operations["history_api_missions__name__history_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/missions/{name}/history/{version}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Version
+         * @description One saved version with its text.
+         */
+        get: operations["version_api_missions__name__history__version__get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/missions/{name}/marks": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Mark
+         * @description Tag a mission, or put it away (archived) and take it out again; its bytes stay as they are.
+         */
+        put: operations["mark_api_missions__name__marks_put"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/missions/{name}/rename": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Rename
+         * @description Give an uploaded mission another file name; history, draft and tags go with it.
+         */
+        post: operations["rename_api_missions__name__rename_post"];
+        delete?: never;
         options?: never;
         head?: never;
         patch?: never;
@@ -467,6 +702,23 @@ export interface components {
             keep_out_m: number;
         };
         /**
+         * BinnedAnswer
+         * @description A deleted mission, to be restored by its id.
+         */
+        BinnedAnswer: {
+            /**
+             * Deleted
+             * Format: date-time
+             */
+            deleted: string;
+            /** Id */
+            id: string;
+            /** Name */
+            name: string;
+            /** Size */
+            size: number;
+        };
+        /**
          * BumplessParameters
          * @description bumpless.BumplessParameters as JSON.
          */
@@ -529,6 +781,25 @@ export interface components {
              * @default
              */
             run_id: string;
+        };
+        /**
+         * DraftAnswer
+         * @description Work in progress; its name may have no mission yet.
+         */
+        DraftAnswer: {
+            /** Name */
+            name: string;
+            /**
+             * Saved
+             * Format: date-time
+             */
+            saved: string;
+            /** Sha256 */
+            sha256: string;
+            /** Size */
+            size: number;
+            /** Yaml */
+            yaml: string;
         };
         /**
          * EndErrors
@@ -885,13 +1156,6 @@ export interface components {
              * @description comes back with every answer
              */
             id: number;
-            /**
-             * @default {
-             *       "current": null,
-             *       "parameters": {},
-             *       "vehicle": null
-             *     }
-             */
             overrides?: components["schemas"]["Overrides"];
             /**
              * Seed
@@ -962,6 +1226,16 @@ export interface components {
             status: "ok";
             /** Version */
             version: string;
+        };
+        /**
+         * Marked
+         * @description What to note of a mission; null leaves as it is.
+         */
+        Marked: {
+            /** Archived */
+            archived?: boolean | null;
+            /** Tags */
+            tags?: string[] | null;
         };
         /**
          * Metrics
@@ -1089,6 +1363,8 @@ export interface components {
          * @description A mission with its text, and what a sketch of its plan needs when the text is valid.
          */
         MissionDetail: {
+            /** Archived */
+            archived: boolean;
             /** Builtin */
             builtin: boolean;
             /** Current Ned Mps */
@@ -1120,8 +1396,12 @@ export interface components {
             seed: number | null;
             /** Sha256 */
             sha256: string;
+            /** Size */
+            size: number;
             /** Summary */
             summary: string;
+            /** Tags */
+            tags: string[];
             target: components["schemas"]["Target"] | null;
             /** Title */
             title: string;
@@ -1185,6 +1465,8 @@ export interface components {
          * @description A stored mission in the list. `valid` false: the file breaks a rule and cannot be flown.
          */
         MissionSummary: {
+            /** Archived */
+            archived: boolean;
             /** Builtin */
             builtin: boolean;
             /** Duration S */
@@ -1204,8 +1486,12 @@ export interface components {
             seed: number | null;
             /** Sha256 */
             sha256: string;
+            /** Size */
+            size: number;
             /** Summary */
             summary: string;
+            /** Tags */
+            tags: string[];
             /** Title */
             title: string;
             /** Valid */
@@ -1877,6 +2163,30 @@ export interface components {
                 number
             ];
         };
+        /**
+         * TemplateAnswer
+         * @description Something to begin from.
+         */
+        TemplateAnswer: {
+            /** Name */
+            name: string;
+            /** Summary */
+            summary: string;
+            /** Title */
+            title: string;
+            /** Vehicle */
+            vehicle: string;
+            /** Yaml */
+            yaml: string;
+        };
+        /**
+         * To
+         * @description Another file name.
+         */
+        To: {
+            /** To */
+            to: string;
+        };
         /** ValidationError */
         ValidationError: {
             /** Context */
@@ -1912,6 +2222,35 @@ export interface components {
             /** Sha256 */
             sha256: string;
         };
+        /**
+         * VersionAnswer
+         * @description A saved state of a mission.
+         */
+        VersionAnswer: {
+            /** Id */
+            id: string;
+            /**
+             * Saved
+             * Format: date-time
+             */
+            saved: string;
+            /** Sha256 */
+            sha256: string;
+            /** Size */
+            size: number;
+        };
+        /**
+         * VersionText
+         * @description A saved state of a mission, whole.
+         */
+        VersionText: {
+            /** Id */
+            id: string;
+            /** Sha256 */
+            sha256: string;
+            /** Yaml */
+            yaml: string;
+        };
     };
     responses: never;
     parameters: never;
@@ -1921,6 +2260,35 @@ export interface components {
 }
 export type $defs = Record<string, never>;
 export interface operations {
+    drafts_api_drafts_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["DraftAnswer"][];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
     events_api_events_get: {
         parameters: {
             query?: {
@@ -1999,6 +2367,97 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["Health"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    binned_api_mission_bin_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["BinnedAnswer"][];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    restore_api_mission_bin__binned__restore_post: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                binned: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MissionDetail"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    mission_templates_api_mission_templates_get: {
+        parameters: {
+            query?: {
+                vehicle?: string | null;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["TemplateAnswer"][];
                 };
             };
             /** @description Refused, with the reason */
@@ -2168,7 +2627,141 @@ export interface operations {
             };
         };
     };
+    save_api_missions__name__put: {
+        parameters: {
+            query?: {
+                base?: string | null;
+            };
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/yaml": string;
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MissionDetail"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
     remove_api_missions__name__delete: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["BinnedAnswer"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    draft_api_missions__name__draft_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["DraftAnswer"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    keep_draft_api_missions__name__draft_put: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/yaml": string;
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["DraftAnswer"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    drop_draft_api_missions__name__draft_delete: {
         parameters: {
             query?: never;
             header?: never;
@@ -2185,6 +2778,203 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content?: never;
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    duplicate_api_missions__name__duplicate_post: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["To"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MissionDetail"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    file_api_missions__name__file_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    history_api_missions__name__history_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["VersionAnswer"][];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    version_api_missions__name__history__version__get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+                version: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["VersionText"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    mark_api_missions__name__marks_put: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["Marked"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MissionDetail"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    rename_api_missions__name__rename_post: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["To"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MissionDetail"];
+                };
             };
             /** @description Refused, with the reason */
             "4XX": {

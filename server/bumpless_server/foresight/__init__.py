@@ -1,1 +1,1 @@
-"""Foresight: a mission is flown before it is flown, in processes of its own that give way to everything else."""
+"""Foresight: a mission is flown before it is flown, in processes of its own that give way to all others."""

@@ -1,15 +1,16 @@
-"""From a planner's text to what is flown: mission, vehicle and parameters, or every problem with its place."""
+"""From a planner's text to what is flown: mission, vehicle and parameters, or every problem."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
 from bumpless.campaign.parameter_path import changes_of
-from bumpless.config.mission import Mission, MissionError, parse_mission
+from bumpless.config.mission import Mission, parse_mission
 from bumpless.config.parameters import ParameterError, Parameters, check, default_parameters, with_overrides
 from bumpless.config.problems import Problem
 from bumpless.config.vehicle import Vehicle, VehicleError, load_vehicle
 from bumpless_server.foresight.wanted import ForesightRequest
+from bumpless_server.plan.missions import parse_planned
 
 SOURCE = "mission.yaml"
 
@@ -43,17 +44,6 @@ def plan_of(request: ForesightRequest, present: Vehicle | None = None) -> Plan:
         parameters = _overridden(parameters, wanted.parameters, vehicle)
     seed = mission.seed if request.seed is None else request.seed
     return Plan(replace(mission, seed=seed), vehicle, parameters)
-
-
-def parse_planned(data: bytes | str, source: str, present: Vehicle | None) -> Mission:
-    """Check a mission against the vehicle file of the name it asks for, or the present vehicle's own."""
-    try:
-        return parse_mission(data, source)
-    except MissionError as error:
-        unknown = [one.value for one in error.problems if one.field == "vehicle"]
-        if present is None or present.id not in unknown:
-            raise
-        return parse_mission(data, source, present)
 
 
 def _vehicle(name: str, present: Vehicle | None) -> Vehicle:

@@ -59,7 +59,7 @@ class ForesightTrack(Told):
     depth_error_m: list[float]  # positive: too deep
     saturation: list[float]  # the most used command over its bound, 0 to 1
     worst_actuator: list[str]  # whose command that is
-    margin: list[float]  # the part of the attainable set that the demand leaves, 0 to 1; empty: not computed
+    margin: list[float]  # the part of the attainable set that the demand leaves, 0 to 1
 
 
 class ForesightSwitch(Told):
@@ -178,11 +178,6 @@ class ForesightFailed(Told):
 
 
 ForesightMessage = Annotated[
-    ForesightProblems
-    | ForesightFindings
-    | ForesightNominal
-    | ForesightFan
-    | ForesightDone
-    | ForesightFailed,
+    ForesightProblems | ForesightFindings | ForesightNominal | ForesightFan | ForesightDone | ForesightFailed,
     Field(discriminator="kind"),
 ]

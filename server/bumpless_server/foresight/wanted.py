@@ -32,4 +32,4 @@ class ForesightRequest(BaseModel):
     text: str = Field(max_length=LARGEST_TEXT, description="the mission's YAML, BOM and line ends and all")
     seed: int | None = Field(None, ge=0, le=2**32 - 1, description="null: the mission's own")
     flights: int = Field(0, ge=0, le=MOST_FLIGHTS, description="drawn flights after the nominal one")
-    overrides: Overrides = Overrides()
+    overrides: Overrides = Field(default_factory=lambda: Overrides.model_validate({}))

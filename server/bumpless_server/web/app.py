@@ -18,6 +18,7 @@ from bumpless_server.web.routes import (
     declared,
     foresight,
     help,
+    library,
     missions,
     page,
     parameters,
@@ -30,7 +31,8 @@ from bumpless_server.web.routes import (
 log = logging.getLogger(__name__)
 
 ROUTERS = tuple(
-    part.router for part in (status, missions, planning, parameters, declared, runs, stream, foresight)
+    part.router
+    for part in (status, missions, library, planning, parameters, declared, runs, stream, foresight)
 )
 
 
@@ -45,6 +47,7 @@ def create_app(settings: Settings, console: Console | None = None) -> FastAPI:
             if own:
                 await run_in_threadpool(console.start)
                 stack.push_async_callback(run_in_threadpool, console.stop)
+            stack.push_async_callback(console.foresight.stop)
             if app.state.scene is not None:
                 await _start(app.state.scene, stack)
             yield

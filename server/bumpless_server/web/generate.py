@@ -39,11 +39,12 @@ def interface() -> dict[str, Any]:
 
 def _with_sockets(told: dict[str, Any]) -> dict[str, Any]:
     """OpenAPI knows no WebSocket: what one asks and answers is added to the schemas by name."""
-    for kind, mode in ((ForesightRequest, "validation"), (ForesightMessage, "serialization")):
-        schema = TypeAdapter(kind).json_schema(mode=mode, ref_template="#/components/schemas/{model}")
-        schemas = told["components"]["schemas"]
+    place, schemas = "#/components/schemas/{model}", told["components"]["schemas"]
+    asked = ForesightRequest.model_json_schema(ref_template=place)
+    answered = TypeAdapter[Any](ForesightMessage).json_schema(mode="serialization", ref_template=place)
+    for name, schema in (("ForesightRequest", asked), ("ForesightMessage", answered)):
         schemas |= schema.pop("$defs", {})
-        schemas[schema.get("title", "ForesightMessage")] = schema
+        schemas[name] = schema
     return told
 
 

@@ -13,7 +13,7 @@ router = APIRouter()
 
 @router.websocket("/ws/foresight")
 async def foresight(websocket: WebSocket) -> None:
-    """Foresee each text that comes, the newest alone; see `bumpless_server.foresight.told` for the answers."""
+    """Foresee each text that comes, the newest alone; `foresight.told` has the answers."""
     console = cast(Console, websocket.app.state.console)
     await websocket.accept()
     with contextlib.suppress(WebSocketDisconnect, RuntimeError, OSError, asyncio.CancelledError):

@@ -6,6 +6,7 @@ from google.protobuf.message import Message
 from pydantic import BaseModel, ConfigDict, Field
 
 from bumpless.contract import bumpless_pb2 as pb
+from bumpless_server.plan.marks import Mark
 from bumpless_server.web.answers.contract import CommandReply, told
 from bumpless_server.web.answers.missions import MissionDetail, MissionSummary
 from bumpless_server.web.answers.refusal import REFUSALS
@@ -47,7 +48,8 @@ def carry_out(console: Served, verb: str, request: Message) -> CommandReply:
 @router.get("/missions")
 def missions(console: Served) -> list[MissionSummary]:
     """All missions, built-in ones first."""
-    return [MissionSummary.of(file) for file in console.missions.all()]
+    marks = console.library.marks.all()
+    return [MissionSummary.of(file, marks.get(file.name, Mark())) for file in console.missions.all()]
 
 
 @router.get("/missions/{name}")
@@ -56,7 +58,7 @@ def mission(console: Served, name: str) -> MissionDetail:
     file = console.missions.get(name)
     if file is None:
         raise Refusal(404, f"there is no mission {name!r}")
-    return MissionDetail.of(file)
+    return MissionDetail.of(file, console.library.marks.of(file.name))
 
 
 @router.post("/missions", status_code=201)
@@ -64,17 +66,9 @@ async def upload(
     console: Served, request: Request, response: Response, name: str, replace: bool = False
 ) -> MissionDetail:
     """Check and keep a mission file, sent as the body's bytes; they are kept as they are."""
-    file = await run_in_threadpool(console.missions.save, name, await request.body(), replace)
+    file = await run_in_threadpool(console.library.save, name, await request.body(), replace)
     response.headers["location"] = f"/api/missions/{file.name}"
-    return MissionDetail.of(file)
-
-
-@router.delete("/missions/{name}", status_code=204)
-def remove(console: Served, name: str) -> Response:
-    """Delete an uploaded mission."""
-    if not console.missions.delete(name):
-        raise Refusal(404, f"there is no mission {name!r}")
-    return Response(status_code=204)
+    return MissionDetail.of(file, console.library.marks.of(file.name))
 
 
 @router.post("/mission/start")
