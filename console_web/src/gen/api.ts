@@ -208,6 +208,48 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/missions/export": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Give Out
+         * @description The mission in the body, saved or not, as another program's file.
+         */
+        post: operations["give_out_api_missions_export_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/missions/import": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Take In
+         * @description Make a mission of a foreign file's bytes, with a word on each thing that did not carry over.
+         *
+         *     QGroundControl's .plan, WPL, GeoJSON, KML (KMZ), CSV, MOOS-IvP's .bhv, Neptus' .nmis (.nmisz).
+         */
+        post: operations["take_in_api_missions_import_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/missions/{name}": {
         parameters: {
             query?: never;
@@ -281,6 +323,26 @@ export interface paths {
          * @description A copy of a mission under another file name.
          */
         post: operations["duplicate_api_missions__name__duplicate_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/missions/{name}/export": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Export
+         * @description A stored mission as another program's file.
+         */
+        get: operations["export_api_missions__name__export_get"];
+        put?: never;
+        post?: never;
         delete?: never;
         options?: never;
         head?: never;
@@ -868,6 +930,32 @@ export interface components {
             text: string;
         };
         /**
+         * ExchangeItem
+         * @description One thing and what became of it.
+         */
+        ExchangeItem: {
+            /** Carried */
+            carried: boolean;
+            /** Note */
+            note: string;
+            /** What */
+            what: string;
+        };
+        /**
+         * ExportAnswer
+         * @description A mission as another program's file.
+         */
+        ExportAnswer: {
+            /** File Name */
+            file_name: string;
+            /** Items */
+            items: components["schemas"]["ExchangeItem"][];
+            /** Media Type */
+            media_type: string;
+            /** Text */
+            text: string;
+        };
+        /**
          * FieldEntry
          * @description One field of a file format: where it stands, what it means and what it may hold.
          *
@@ -1226,6 +1314,22 @@ export interface components {
             status: "ok";
             /** Version */
             version: string;
+        };
+        /**
+         * ImportAnswer
+         * @description A mission made of a foreign file; nothing is saved yet.
+         */
+        ImportAnswer: {
+            /** Items */
+            items: components["schemas"]["ExchangeItem"][];
+            /** Kind */
+            kind: string;
+            /** Name */
+            name: string;
+            /** Problems */
+            problems: components["schemas"]["Problem"][];
+            /** Yaml */
+            yaml: string;
         };
         /**
          * Marked
@@ -2596,6 +2700,77 @@ export interface operations {
             };
         };
     };
+    give_out_api_missions_export_post: {
+        parameters: {
+            query: {
+                to: "plan" | "wpl" | "geojson" | "kml" | "csv";
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/yaml": string;
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ExportAnswer"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    take_in_api_missions_import_post: {
+        parameters: {
+            query: {
+                file_name: string;
+                vehicle?: string | null;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/octet-stream": string;
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ImportAnswer"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
     mission_api_missions__name__get: {
         parameters: {
             query?: never;
@@ -2812,6 +2987,39 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["MissionDetail"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    export_api_missions__name__export_get: {
+        parameters: {
+            query: {
+                to: "plan" | "wpl" | "geojson" | "kml" | "csv";
+            };
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ExportAnswer"];
                 };
             };
             /** @description Refused, with the reason */

@@ -16,6 +16,7 @@ from bumpless_server.web.body_limit import BodyLimit
 from bumpless_server.web.guard import Guard
 from bumpless_server.web.routes import (
     declared,
+    exchange,
     foresight,
     help,
     library,
@@ -32,7 +33,18 @@ log = logging.getLogger(__name__)
 
 ROUTERS = tuple(
     part.router
-    for part in (status, missions, library, planning, parameters, declared, runs, stream, foresight)
+    for part in (
+        status,
+        missions,
+        exchange,
+        library,
+        planning,
+        parameters,
+        declared,
+        runs,
+        stream,
+        foresight,
+    )
 )
 
 
