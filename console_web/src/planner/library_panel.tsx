@@ -1,12 +1,22 @@
 // All missions: stored ones, those that come with Bumpless, and drafts of this browser. Opened from the plan's top line.
 import { useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
+import { ask } from "../api/client";
+import { Resource } from "../api/resource";
 import { missions } from "../api/resources";
 import { clock } from "../lib/format";
 import { CrossIcon } from "../ui/icons";
 import { present } from "./map/figures";
 import { tool } from "./map/tools";
-import { draftNames, fromTemplate, name, newMission, openMission } from "./model/library";
+import {
+  draftNames,
+  fromTemplate,
+  fromText,
+  importFile,
+  name,
+  newMission,
+  openMission,
+} from "./model/library";
 import "./library_panel.css";
 
 interface Entry {
@@ -80,6 +90,7 @@ export function Library({ onClose }: { onClose: () => void }) {
         >
           New mission
         </button>
+        <Import onClose={onClose} />
         {name.value && (
           <button type="button" class="quiet" aria-label="Close the list" onClick={onClose}>
             <CrossIcon />
@@ -99,6 +110,7 @@ export function Library({ onClose }: { onClose: () => void }) {
           onKeyDown={(event) => event.key === "Escape" && onClose()}
         />
       </div>
+      {words.length === 0 && <Templates onClose={onClose} />}
       <ul class="library-rows">
         {shown.map((entry) => (
           <Row key={entry.name} entry={entry} onClose={onClose} />
@@ -110,6 +122,63 @@ export function Library({ onClose }: { onClose: () => void }) {
         )}
       </ul>
     </section>
+  );
+}
+
+const templates = new Resource(() => ask("get", "/api/mission-templates"));
+
+function Templates({ onClose }: { onClose: () => void }) {
+  const list = templates.value ?? [];
+  if (list.length === 0) return null;
+  return (
+    <div class="library-templates">
+      <span class="muted">Begin from</span>
+      {list.map(({ name: id, title, summary, yaml }) => (
+        <button
+          key={id}
+          type="button"
+          class="action small"
+          title={summary}
+          onClick={() => {
+            fromText(id, yaml);
+            onClose();
+          }}
+        >
+          {title}
+        </button>
+      ))}
+    </div>
+  );
+}
+
+const FOREIGN = ".yaml,.yml,.plan,.waypoints,.txt,.geojson,.json,.kml,.kmz,.csv,.bhv,.nmis,.nmisz";
+
+function Import({ onClose }: { onClose: () => void }) {
+  const box = useRef<HTMLInputElement>(null);
+  return (
+    <>
+      <button
+        type="button"
+        class="action small"
+        title="YAML, QGroundControl .plan, WPL, GeoJSON, KML, CSV, MOOS-IvP .bhv, Neptus .nmis"
+        onClick={() => box.current?.click()}
+      >
+        Import …
+      </button>
+      <input
+        ref={box}
+        type="file"
+        accept={FOREIGN}
+        class="sr"
+        tabIndex={-1}
+        aria-label="File to import"
+        onChange={(event) => {
+          const [file] = event.currentTarget.files ?? [];
+          event.currentTarget.value = "";
+          if (file) void importFile(file).then(onClose);
+        }}
+      />
+    </>
   );
 }
 

@@ -1,5 +1,6 @@
 // The planner's top line: which mission, how it stands to file and vehicle, undo and redo, save and start.
 import { useSignal } from "@preact/signals";
+import { ask } from "../api/client";
 import { bytes } from "../lib/format";
 import { CheckIcon, CrossIcon, HollowIcon, PlayIcon, RedoIcon, UndoIcon, WarningIcon } from "../ui/icons";
 import { RefusalNotice } from "../ui/refusal";
@@ -224,9 +225,14 @@ function More() {
           <button type="button" disabled={!stored.value || !unsaved.value} onClick={run(() => void revert())}>
             Discard changes
           </button>
-          <button type="button" onClick={run(download)}>
+          <button type="button" onClick={run(() => give(text.peek(), `${name.peek()}.yaml`))}>
             Download YAML
           </button>
+          {FORMATS.map(({ to, words }) => (
+            <button key={to} type="button" onClick={run(() => void exportAs(to))}>
+              Download {words}
+            </button>
+          ))}
           <button type="button" disabled={builtin.value && !unsaved.value} onClick={run(() => void remove())}>
             {builtin.value ? "Delete the draft" : "Delete"}
           </button>
@@ -236,12 +242,31 @@ function More() {
   );
 }
 
-function download(): void {
+const FORMATS = [
+  { to: "plan", words: "QGroundControl .plan" },
+  { to: "geojson", words: "GeoJSON" },
+  { to: "kml", words: "KML" },
+  { to: "csv", words: "CSV" },
+] as const;
+
+function give(content: string, file: string): void {
   const link = document.createElement("a");
-  link.href = URL.createObjectURL(new Blob([text.peek()], { type: "application/yaml" }));
-  link.download = `${name.peek()}.yaml`;
+  link.href = URL.createObjectURL(new Blob([content]));
+  link.download = file;
   link.click();
   URL.revokeObjectURL(link.href);
+}
+
+async function exportAs(to: (typeof FORMATS)[number]["to"]): Promise<void> {
+  const answer = await ask("post", "/api/missions/export", { query: { to }, body: new Blob([text.peek()]) });
+  trouble.value = answer.ok ? undefined : answer;
+  if (!answer.ok) return;
+  const { file_name, text: content, items } = answer.value;
+  give(content, file_name);
+  const lost = items.filter(({ carried }) => !carried).map(({ what, note }) => `${what}: ${note}`);
+  done.value = {
+    text: lost.length ? `Downloaded. Not carried over: ${lost.join("; ")}` : "Downloaded, all of it.",
+  };
 }
 
 function Notices() {

@@ -21,7 +21,7 @@ export function ForecastPanel({ onPlace }: { onPlace: () => void }) {
         <Working forecast={forecast} fresh={fresh} />
       </header>
       <div class="panel-body forecast-body" data-fresh={fresh ? "yes" : "no"}>
-        {forecast?.nominal && <Odds forecast={forecast} />}
+        {forecast && (forecast.nominal || forecast.chance) && <Odds forecast={forecast} />}
         <Findings onPlace={onPlace} />
         {forecast?.nominal && <Facts forecast={forecast} />}
         {forecast && forecast.flights.length > 0 && <Worst flights={forecast.flights} />}

@@ -141,6 +141,7 @@ function Row({ field, path }: { field: FieldEntry; path: Path }) {
             title={about(field, i)}
             value={typeof present?.[i] === "number" ? (present[i] as number) : undefined}
             placeholder={String(otherwise?.[i] ?? 0)}
+            optional={!present && !field.required}
             refuse={(number) => refusal(field, number, i)}
             onGive={(number) => {
               if (number === undefined) return;

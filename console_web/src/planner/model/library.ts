@@ -123,30 +123,32 @@ export async function fromTemplate(template: string): Promise<void> {
 
 /** Store the open text. True when it is stored; the reason is in `trouble` otherwise. */
 export async function save(replaceForeign = false): Promise<boolean> {
-  if (saving.peek()) return false;
-  const [to, body] = [name.peek(), text.peek()];
-  const before = stored.peek();
+  if (saving.peek() || !name.peek()) return false;
+  const [to, body, before] = [name.peek(), text.peek(), stored.peek()];
   if (before?.builtin) {
-    trouble.value = {
-      ok: false,
-      status: 409,
-      problems: [],
-      reason: `${to} comes with Bumpless and stays: duplicate it to keep your changes.`,
-    };
+    trouble.value = refused(`${to} comes with Bumpless and stays: duplicate it to keep your changes.`);
     return false;
   }
   if (badge.peek() === "elsewhere" && !replaceForeign) return false;
   saving.value = true;
-  const query = before ? { name: to, replace: true } : { name: to };
-  const answer = await ask("post", "/api/missions", { query, body: new Blob([body]) });
-  if (answer.ok) await missions.refresh();
+  const file = new Blob([body]);
+  const path = { name: to };
+  const query = replaceForeign || !base.peek() ? {} : { base: base.peek() };
+  const answer = before
+    ? await ask("put", "/api/missions/{name}", { path, query, body: file })
+    : await ask("post", "/api/missions", { query: { name: to }, body: file });
+  await missions.refresh();
   saving.value = false;
   trouble.value = answer.ok ? undefined : answer;
   if (!answer.ok) return false;
-  base.value = answer.value.sha256;
+  if (name.peek() === to) base.value = answer.value.sha256;
   if (text.peek() === body) drafts.drop(to);
   draftNames.value = drafts.names();
   return true;
+}
+
+function refused(reason: string): Refusal {
+  return { ok: false, status: 409, problems: [], reason };
 }
 
 /** Back to the stored file. */
@@ -165,38 +167,44 @@ export async function revert(): Promise<void> {
   };
 }
 
-/** Give the open mission another name; its stored file goes with it. */
+/** Give the open mission another name; its file, with history and tags, goes with it. */
 export async function rename(to: string): Promise<boolean> {
   const from = name.peek();
   if (to === from) return true;
   if (taken().has(to)) {
-    trouble.value = { ok: false, status: 409, problems: [], reason: `There is a mission ${to} already.` };
+    trouble.value = refused(`There is a mission ${to} already.`);
     return false;
   }
-  const [had, fresh] = [stored.peek(), renamed(text.peek(), to)];
-  const clean = !unsaved.peek();
-  begin(to, fresh);
-  if (clean && had && !had.builtin && !(await save())) return false;
-  if (had?.builtin) return true;
-  drafts.drop(from);
-  draftNames.value = drafts.names();
-  if (had && clean) {
-    await ask("delete", "/api/missions/{name}", { path: { name: from } });
-    await missions.refresh();
+  const fresh = renamed(text.peek(), to);
+  if (!stored.peek()) {
+    begin(to, fresh);
+    drafts.drop(from);
+    draftNames.value = drafts.names();
+    return true;
   }
-  return true;
+  const answer = await ask("post", "/api/missions/{name}/rename", { path: { name: from }, body: { to } });
+  if (!answer.ok) {
+    trouble.value = answer;
+    return false;
+  }
+  await missions.refresh();
+  drafts.drop(from);
+  take(to, fresh, answer.value.sha256, false);
+  return save();
 }
 
 /** Delete the open mission, file and draft; it can be brought back. */
 export async function remove(): Promise<void> {
   const [gone, kept, had] = [name.peek(), text.peek(), stored.peek()];
   cancelFlush();
+  let bin: string | undefined;
   if (had && !had.builtin) {
     const answer = await ask("delete", "/api/missions/{name}", { path: { name: gone } });
     if (!answer.ok) {
       trouble.value = answer;
       return;
     }
+    bin = answer.value.id;
   }
   drafts.drop(gone);
   draftNames.value = drafts.names();
@@ -206,11 +214,43 @@ export async function remove(): Promise<void> {
   await missions.refresh();
   done.value = {
     text: `${gone} deleted.`,
-    undo: () => {
-      begin(gone, kept);
-      if (had && !had.builtin) void save();
-    },
+    undo: () => void (bin ? restore(bin) : begin(gone, kept)),
   };
+}
+
+async function restore(bin: string): Promise<void> {
+  const answer = await ask("post", "/api/mission-bin/{binned}/restore", { path: { binned: bin } });
+  await missions.refresh();
+  if (!answer.ok) trouble.value = answer;
+  else {
+    address(answer.value.name);
+    await openMission(answer.value.name);
+  }
+}
+
+/** A draft from a file: a mission as it is, another program's as far as it carries over. */
+export async function importFile(file: File): Promise<void> {
+  const plain = /\.ya?ml$/i.test(file.name);
+  if (plain) {
+    begin(freeName(file.name.replace(/\.ya?ml$/i, ""), taken()), await file.text());
+    return;
+  }
+  const answer = await ask("post", "/api/missions/import", { query: { file_name: file.name }, body: file });
+  if (!answer.ok) {
+    trouble.value = answer;
+    return;
+  }
+  begin(freeName(answer.value.name, taken()), answer.value.yaml);
+  const left = answer.value.items
+    .filter(({ carried }) => !carried)
+    .map(({ what, note }) => `${what}: ${note}`);
+  done.value = { text: left.length ? `Imported. ${left.join("; ")}` : "Imported, all of it." };
+}
+
+/** A new mission from a template of the server's. */
+export function fromText(wanted: string, yaml: string): void {
+  const to = freeName(wanted, taken());
+  begin(to, renamed(yaml, to));
 }
 
 let timer: ReturnType<typeof setTimeout> | undefined;
