@@ -514,6 +514,46 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/planning": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Vehicles
+         * @description Ids of the vehicles whose files are here.
+         */
+        get: operations["vehicles_api_planning_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/planning/{vehicle}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Planning
+         * @description One vehicle as a plan shows it: the one on the bus when it has this id, else the one of our files.
+         */
+        get: operations["planning_api_planning__vehicle__get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/presets": {
         parameters: {
             query?: never;
@@ -745,6 +785,24 @@ export interface components {
             name: string;
             /** Unit */
             unit: string;
+        };
+        /**
+         * Approach
+         * @description How the vehicle docks by itself, by its own parameters. Distances are from the observation point.
+         */
+        Approach: {
+            /** Break Off M */
+            break_off_m: number;
+            /** Cone Base M */
+            cone_base_m: number;
+            /** Cone Slope */
+            cone_slope: number;
+            /** Enabled */
+            enabled: boolean;
+            /** Entry Distance M */
+            entry_distance_m: number;
+            /** Keep Out M */
+            keep_out_m: number;
         };
         /**
          * BinnedAnswer
@@ -1828,6 +1886,32 @@ export interface components {
             sha256: string;
         };
         /**
+         * Planning
+         * @description A vehicle as a plan shows it: size, sight, thresholds and approach, and what can fail.
+         */
+        Planning: {
+            /** Actuators */
+            actuators: string[];
+            approach: components["schemas"]["Approach"];
+            /** Diameter M */
+            diameter_m: number;
+            /** Id */
+            id: string;
+            /** Length M */
+            length_m: number;
+            /** Name */
+            name: string;
+            /** Sha256 */
+            sha256: string;
+            sight: components["schemas"]["Sight"];
+            /** Sways */
+            sways: boolean;
+            /** Thresholds M */
+            thresholds_m: {
+                [key: string]: number;
+            };
+        };
+        /**
          * Preset
          * @description A saved set of parameters.
          */
@@ -1980,6 +2064,18 @@ export interface components {
             vehicle_name: string;
         };
         /**
+         * Sight
+         * @description The target camera's, as the vehicle file says; a mission may set others.
+         */
+        Sight: {
+            /** Half Angle Deg */
+            half_angle_deg: number;
+            /** Range Max M */
+            range_max_m: number;
+            /** Range Min M */
+            range_min_m: number;
+        };
+        /**
          * Stamp
          * @description bumpless.Stamp as JSON.
          */
@@ -2020,6 +2116,11 @@ export interface components {
             operator?: string;
             /** Seed */
             seed?: number | null;
+            /**
+             * Sha256
+             * @description Refuse when the file is another
+             */
+            sha256?: string | null;
         };
         /**
          * Status
@@ -3271,6 +3372,66 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["CommandReply"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    vehicles_api_planning_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": string[];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    planning_api_planning__vehicle__get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                vehicle: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Planning"];
                 };
             };
             /** @description Refused, with the reason */

@@ -24,6 +24,7 @@ from bumpless_server.web.routes import (
     missions,
     page,
     parameters,
+    planning,
     runs,
     status,
     stream,
@@ -33,7 +34,19 @@ log = logging.getLogger(__name__)
 
 ROUTERS = tuple(
     part.router
-    for part in (status, missions, findings, exchange, library, parameters, declared, runs, stream, foresight)
+    for part in (
+        status,
+        missions,
+        findings,
+        exchange,
+        library,
+        planning,
+        parameters,
+        declared,
+        runs,
+        stream,
+        foresight,
+    )
 )
 
 

@@ -22,6 +22,7 @@ class Start(BaseModel):
 
     model_config = ConfigDict(extra="forbid")
     name: str
+    sha256: str | None = Field(None, pattern="^[0-9a-f]{64}$", description="Refuse when the file is another")
     seed: int | None = Field(None, ge=0, le=2**32 - 1)
     operator: str = Field("", max_length=80)
     despite_findings: bool = Field(
@@ -82,6 +83,8 @@ def start(console: Served, wanted: Start = Body(...)) -> CommandReply:
         raise Refusal(404, f"there is no mission {wanted.name!r}")
     if file.mission is None:
         raise Refusal(422, f"{file.path.name} is not valid", [one.as_dict() for one in file.problems])
+    if wanted.sha256 is not None and wanted.sha256 != file.mission.sha256:
+        raise Refusal(409, f"{file.name} was changed since it was shown: look at it again, then start")
     refuse_hopeless(console, file, wanted.despite_findings)
     request = pb.StartMission(
         file_name=file.path.name, mission_yaml=file.text, seed=wanted.seed, operator=wanted.operator
