@@ -460,6 +460,17 @@ export interface components {
         CommandReply: {
             /** Accepted */
             accepted: boolean;
+            /**
+             * Cause
+             * @default REFUSAL_CAUSE_UNSPECIFIED
+             * @enum {string}
+             */
+            cause: "REFUSAL_CAUSE_UNSPECIFIED" | "REFUSAL_CAUSE_LATE" | "REFUSAL_CAUSE_BUSY" | "REFUSAL_CAUSE_OVERTAKEN" | "REFUSAL_CAUSE_STALE_REVISION" | "REFUSAL_CAUSE_NO_HEADER" | "REFUSAL_CAUSE_NOT_ADDRESSED";
+            /**
+             * Id
+             * @default
+             */
+            id: string;
             /** Problems */
             problems: components["schemas"]["Problem"][];
             /** Reason */
@@ -1222,6 +1233,16 @@ export interface components {
          */
         Status: {
             /**
+             * Bus Notice
+             * @default
+             */
+            bus_notice: string;
+            /**
+             * Clock Offset S
+             * @default 0
+             */
+            clock_offset_s: number | null;
+            /**
              * Link
              * @default LINK_STATE_UNSPECIFIED
              * @enum {string}
@@ -1269,6 +1290,11 @@ export interface components {
              */
             server_version: string;
             /**
+             * Set Aside
+             * @default 0
+             */
+            set_aside: string;
+            /**
              * Stream Clients
              * @default 0
              */
@@ -1283,6 +1309,8 @@ export interface components {
              * @default 0
              */
             time_ns: string;
+            /** Topics */
+            topics: components["schemas"]["TopicFreshness"][];
             vehicle: components["schemas"]["SeenVehicle"] | null;
             /**
              * Vehicle Id
@@ -1425,6 +1453,32 @@ export interface components {
                 number,
                 number
             ];
+        };
+        /**
+         * TopicFreshness
+         * @description bumpless.TopicFreshness as JSON.
+         */
+        TopicFreshness: {
+            /**
+             * Age S
+             * @default 0
+             */
+            age_s: number | null;
+            /**
+             * Fresh For S
+             * @default 0
+             */
+            fresh_for_s: number | null;
+            /**
+             * Late
+             * @default false
+             */
+            late: boolean;
+            /**
+             * Topic
+             * @default
+             */
+            topic: string;
         };
         /** ValidationError */
         ValidationError: {
