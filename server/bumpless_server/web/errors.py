@@ -10,7 +10,8 @@ from starlette.exceptions import HTTPException
 
 from bumpless.config.problems import Problem, ProblemsError
 from bumpless_server.files import BadName
-from bumpless_server.live.bus import NoAnswer
+from bumpless_server.live.ask import NoAnswer
+from bumpless_server.live.desk import Busy
 from bumpless_server.plan.missions import MissionExists
 
 
@@ -65,4 +66,8 @@ def install(app: FastAPI) -> None:
 
     @app.exception_handler(NoAnswer)
     async def no_answer(_request: Request, error: NoAnswer) -> JSONResponse:
+        return answer(503, str(error), accepted=False, reason=str(error))
+
+    @app.exception_handler(Busy)
+    async def busy(_request: Request, error: Busy) -> JSONResponse:
         return answer(503, str(error), accepted=False, reason=str(error))

@@ -1,4 +1,4 @@
-"""A request with its header: whether it may still be carried out, and what the same one was answered before."""
+"""A request with its header: may it still be carried out, and what was the same one answered before?"""
 
 import threading
 from collections import OrderedDict
