@@ -12,7 +12,7 @@ class DataDirError(RuntimeError):
 
 
 class DataDir:
-    """data_dir/{runs,missions,mission_*,presets}, index.sqlite, node.json, node.log, secret and a lock."""
+    """data_dir/{runs,missions,mission_*,presets}, index.sqlite, audit.jsonl, node.{json,log}, secret, lock."""
 
     def __init__(self, root: Path) -> None:
         self.root = root
@@ -25,6 +25,7 @@ class DataDir:
         self.presets = root / "presets"
         self.index = root / "index.sqlite"
         self.node_record = root / "node.json"
+        self.audit = root / "audit.jsonl"
         self.node_log = root / "node.log"
         self._lock: IO[str] | None = None
 

@@ -17,7 +17,7 @@ import type { Message } from "@bufbuild/protobuf";
  * Describes the file bumpless.proto.
  */
 export const file_bumpless: GenFile = /*@__PURE__*/
-  fileDesc("Cg5idW1wbGVzcy5wcm90bxIIYnVtcGxlc3MiKgoHVmVjdG9yMxIJCgF4GAEgASgBEgkKAXkYAiABKAESCQoBehgDIAEoASJACghBdHRpdHVkZRIQCghyb2xsX2RlZxgBIAEoARIRCglwaXRjaF9kZWcYAiABKAESDwoHeWF3X2RlZxgDIAEoASJZCgZXcmVuY2gSCwoDeF9uGAEgASgBEgsKA3lfbhgCIAEoARILCgN6X24YAyABKAESDAoEa19ubRgEIAEoARIMCgRtX25tGAUgASgBEgwKBG5fbm0YBiABKAEiPwoFU3RhbXASDwoHdGltZV9ucxgBIAEoBBIWCg5taXNzaW9uX3RpbWVfcxgCIAEoARINCgVjeWNsZRgDIAEoBCKAAwoKTmF2aWdhdGlvbhIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEikKDnBvc2l0aW9uX25lZF9tGAIgASgLMhEuYnVtcGxlc3MuVmVjdG9yMxIkCghhdHRpdHVkZRgDIAEoCzISLmJ1bXBsZXNzLkF0dGl0dWRlEiwKEXZlbG9jaXR5X2JvZHlfbXBzGAQgASgLMhEuYnVtcGxlc3MuVmVjdG9yMxI6Ch92ZWxvY2l0eV90aHJvdWdoX3dhdGVyX2JvZHlfbXBzGAUgASgLMhEuYnVtcGxlc3MuVmVjdG9yMxIyChdhbmd1bGFyX3JhdGVfYm9keV9kZWdwcxgGIAEoCzIRLmJ1bXBsZXNzLlZlY3RvcjMSDwoHZGVwdGhfbRgHIAEoARIdChVzcGVlZF9vdmVyX2dyb3VuZF9tcHMYCCABKAESMwoYY3VycmVudF9lc3RpbWF0ZV9uZWRfbXBzGAkgASgLMhEuYnVtcGxlc3MuVmVjdG9yMyKUAgoIR3VpZGFuY2USHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIhChlzdXJnZV9zcGVlZF9yZWZlcmVuY2VfbXBzGAIgASgBEhkKEWRlcHRoX3JlZmVyZW5jZV9tGAMgASgBEi4KEmF0dGl0dWRlX3JlZmVyZW5jZRgEIAEoCzISLmJ1bXBsZXNzLkF0dGl0dWRlEhsKE2Nyb3NzX3RyYWNrX2Vycm9yX20YBSABKAESGwoTYWxvbmdfdHJhY2tfZXJyb3JfbRgGIAEoARILCgNsZWcYByABKA0SEQoJbGVnX2NvdW50GAggASgNEiAKGHN3YXlfc3BlZWRfcmVmZXJlbmNlX21wcxgJIAEoASLuBAoKU3VwZXJ2aXNvchIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEhwKBG1vZGUYAiABKA4yDi5idW1wbGVzcy5Nb2RlEiUKDXByZXZpb3VzX21vZGUYAyABKA4yDi5idW1wbGVzcy5Nb2RlEg8KB3JhbmdlX20YBCABKAESFQoNZGV0ZWN0aW9uX3JhdxgFIAEoCBIRCglkZXRlY3Rpb24YBiABKAgSDQoFa2FwcGEYByABKAESFgoOdGltZV9pbl9tb2RlX3MYCCABKAESGQoRZHdlbGxfcmVtYWluaW5nX3MYCSABKAESGAoQcmFuZ2VfcmhfbG93ZXJfbRgKIAEoARIYChByYW5nZV9yaF91cHBlcl9tGAsgASgBEhgKEHJhbmdlX2ZyX2xvd2VyX20YDCABKAESGAoQcmFuZ2VfZnJfdXBwZXJfbRgNIAEoARIYChByYW5nZV9oZl91cHBlcl9tGA4gASgBEiUKBXBoYXNlGA8gASgOMhYuYnVtcGxlc3MuTWlzc2lvblBoYXNlEi0KDWRvY2tpbmdfc3RhZ2UYECABKA4yFi5idW1wbGVzcy5Eb2NraW5nU3RhZ2USFQoNZG9ja2luZ190cmllcxgRIAEoDRIaChJkb2NraW5nX3RyaWVzX21vc3QYEiABKA0SMAoPd2F2ZV9vZmZfcmVhc29uGBMgASgOMhcuYnVtcGxlc3MuV2F2ZU9mZlJlYXNvbhIcChRhcHByb2FjaF9oZWFkaW5nX2RlZxgUIAEoARIRCglmaXhfYWdlX3MYFSABKAESEAoIY2FwdHVyZWQYFiABKAgi3wEKB0NvbnRyb2wSHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIiCghkZW1hbmRlZBgCIAEoCzIQLmJ1bXBsZXNzLldyZW5jaBImCgxkZW1hbmRlZF9yYXcYAyABKAsyEC5idW1wbGVzcy5XcmVuY2gSIgoIYWNoaWV2ZWQYBCABKAsyEC5idW1wbGVzcy5XcmVuY2gSIgoIcmVzaWR1YWwYBSABKAsyEC5idW1wbGVzcy5XcmVuY2gSIAoGZnJvemVuGAYgASgLMhAuYnVtcGxlc3MuV3JlbmNoIvoBCgpBbGxvY2F0aW9uEh4KBXN0YW1wGAEgASgLMg8uYnVtcGxlc3MuU3RhbXASJQoGc3RhdHVzGAIgASgOMhUuYnVtcGxlc3MuU29sdmVTdGF0dXMSFgoOc3FwX2l0ZXJhdGlvbnMYAyABKA0SFAoMa2t0X3Jlc2lkdWFsGAQgASgBEhUKDXJlc2lkdWFsX25vcm0YBSABKAESDAoEY29zdBgGIAEoARIVCg1zb2x2ZV90aW1lX3VzGAcgASgBEhcKD3NhdHVyYXRlZF9jb3VudBgIIAEoDRIOCgZzb2x2ZXIYCSABKAkSEgoKc2xhY2tfbm9ybRgKIAEoASKxAgoIQWN0dWF0b3ISDAoEbmFtZRgBIAEoCRIMCgR1bml0GAIgASgJEg8KB2NvbW1hbmQYAyABKAESEAoIZmVlZGJhY2sYBCABKAESDQoFbG93ZXIYBSABKAESDQoFdXBwZXIYBiABKAESFwoPYW1wbGl0dWRlX2xvd2VyGAcgASgBEhcKD2FtcGxpdHVkZV91cHBlchgIIAEoARIRCglzYXR1cmF0ZWQYCSABKAgSFAoMcmF0ZV9saW1pdGVkGAogASgIEhcKD2luY3JlbWVudF9ib3VuZBgLIAEoARIaCg1lZmZlY3RpdmVuZXNzGAwgASgBSACIAQESFgoOZmF1bHRfZXZpZGVuY2UYDSABKAESDgoGZmF1bHR5GA4gASgIQhAKDl9lZmZlY3RpdmVuZXNzIlIKCUFjdHVhdG9ycxIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEiUKCWFjdHVhdG9ycxgCIAMoCzISLmJ1bXBsZXNzLkFjdHVhdG9yIvQBCgZUYXJnZXQSHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIQCghkZXRlY3RlZBgCIAEoCBIYChBtZWFzdXJlZF9yYW5nZV9tGAMgASgBEhMKC2JlYXJpbmdfZGVnGAQgASgBEhUKDWVsZXZhdGlvbl9kZWcYBSABKAESKQoOcG9zaXRpb25fbmVkX20YBiABKAsyES5idW1wbGVzcy5WZWN0b3IzEhMKC2hlYWRpbmdfZGVnGAcgASgBEjIKF29ic2VydmF0aW9uX3BvaW50X25lZF9tGAggASgLMhEuYnVtcGxlc3MuVmVjdG9yMyLdAQoNTWlzc2lvblN0YXR1cxIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEiUKBXBoYXNlGAIgASgOMhYuYnVtcGxlc3MuTWlzc2lvblBoYXNlEg4KBnJ1bl9pZBgDIAEoCRIUCgxtaXNzaW9uX25hbWUYBCABKAkSFgoObWlzc2lvbl9zaGEyNTYYBSABKAkSEgoKZHVyYXRpb25fcxgGIAEoARIRCgllbGFwc2VkX3MYByABKAESDAoEc2VlZBgIIAEoDRISCgplbmRfcmVhc29uGAkgASgJIoYBCgRQbGFuEh4KBXN0YW1wGAEgASgLMg8uYnVtcGxlc3MuU3RhbXASEQoJZmlsZV9uYW1lGAIgASgJEhQKDG1pc3Npb25feWFtbBgDIAEoCRIOCgZzaGEyNTYYBCABKAkSJQoKcGF0aF9uZWRfbRgFIAMoCzIRLmJ1bXBsZXNzLlZlY3RvcjMiXQoOTW9kZVBhcmFtZXRlcnMSEgoKcV9kaWFnb25hbBgBIAMoARISCgpyX2RpYWdvbmFsGAIgAygBEg4KBmxhbWJkYRgDIAEoARITCgtyYW1wX2N5Y2xlcxgEIAEoDSL/AQoUU3VwZXJ2aXNvclBhcmFtZXRlcnMSGAoQcmFuZ2VfcmhfbG93ZXJfbRgBIAEoARIYChByYW5nZV9yaF91cHBlcl9tGAIgASgBEhgKEHJhbmdlX2ZyX2xvd2VyX20YAyABKAESGAoQcmFuZ2VfZnJfdXBwZXJfbRgEIAEoARIYChByYW5nZV9oZl91cHBlcl9tGAUgASgBEhQKDGR3ZWxsX2N5Y2xlcxgGIAEoDRIWCg5kZXRlY3Rpb25faGl0cxgHIAEoDRIYChBkZXRlY3Rpb25fd2luZG93GAggASgNEh0KFWRldGVjdGlvbl9ob2xkX2N5Y2xlcxgJIAEoDSJfChJCdW1wbGVzc1BhcmFtZXRlcnMSDAoEcmFtcBgBIAEoCBIcChRpbnRlZ3JhdG9yX2FsaWdubWVudBgCIAEoCBIdChV3YXJtX3N0YXJ0X3Byb2plY3Rpb24YAyABKAgi7wEKClBhcmFtZXRlcnMSKQoHZm9yd2FyZBgBIAEoCzIYLmJ1bXBsZXNzLk1vZGVQYXJhbWV0ZXJzEikKB3JldmVyc2UYAiABKAsyGC5idW1wbGVzcy5Nb2RlUGFyYW1ldGVycxInCgVob3ZlchgDIAEoCzIYLmJ1bXBsZXNzLk1vZGVQYXJhbWV0ZXJzEjIKCnN1cGVydmlzb3IYBCABKAsyHi5idW1wbGVzcy5TdXBlcnZpc29yUGFyYW1ldGVycxIuCghidW1wbGVzcxgFIAEoCzIcLmJ1bXBsZXNzLkJ1bXBsZXNzUGFyYW1ldGVycyK7AQoQUGFyYW1ldGVyc1N0YXR1cxIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEiQKBmFjdGl2ZRgCIAEoCzIULmJ1bXBsZXNzLlBhcmFtZXRlcnMSEAoIcmV2aXNpb24YAyABKAQSDgoGc2hhMjU2GAQgASgJEiYKCGRlZmF1bHRzGAUgASgLMhQuYnVtcGxlc3MuUGFyYW1ldGVycxIXCg9wYXJhbWV0ZXJzX2pzb24YBiABKAki5AEKElZlaGljbGVEZXNjcmlwdGlvbhIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEhIKCnZlaGljbGVfaWQYAiABKAkSFAoMdmVoaWNsZV9uYW1lGAMgASgJEhQKDHZlaGljbGVfdG9tbBgEIAEoCRIOCgZzaGEyNTYYBSABKAkSGAoQc29mdHdhcmVfdmVyc2lvbhgGIAEoCRIYChBjb250cm9sX3BlcmlvZF9zGAcgASgBEhYKDmFjdHVhdG9yX25hbWVzGAggAygJEhIKCnNlc3Npb25faWQYCSABKAkijAIKBkhlYWx0aBIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEg4KBmN5Y2xlcxgCIAEoBBIVCg1taXNzZWRfY3ljbGVzGAMgASgEEhcKD2xhdGVuZXNzX3A5OV9tcxgEIAEoARIXCg9sYXRlbmVzc19tYXhfbXMYBSABKAESGQoRY3ljbGVfdGltZV9wNTBfdXMYBiABKAESGQoRY3ljbGVfdGltZV9wOTlfdXMYByABKAESFgoOcmVzaWRlbnRfYnl0ZXMYCCABKAQSEgoKcHJvY2Vzc19pZBgJIAEoDRIRCglob3N0X25hbWUYCiABKAkSFAoMZHJvcHBlZF9yb3dzGAsgASgEIsgBCgVFdmVudBIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEiQKCHNldmVyaXR5GAIgASgOMhIuYnVtcGxlc3MuU2V2ZXJpdHkSDAoEY29kZRgDIAEoCRIMCgR0ZXh0GAQgASgJEi0KB2RldGFpbHMYBSADKAsyHC5idW1wbGVzcy5FdmVudC5EZXRhaWxzRW50cnkaLgoMRGV0YWlsc0VudHJ5EgsKA2tleRgBIAEoCRINCgV2YWx1ZRgCIAEoCToCOAEi4wMKClRydXRoU3RhdGUSHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIpCg5wb3NpdGlvbl9uZWRfbRgCIAEoCzIRLmJ1bXBsZXNzLlZlY3RvcjMSJAoIYXR0aXR1ZGUYAyABKAsyEi5idW1wbGVzcy5BdHRpdHVkZRIsChF2ZWxvY2l0eV9ib2R5X21wcxgEIAEoCzIRLmJ1bXBsZXNzLlZlY3RvcjMSMgoXYW5ndWxhcl9yYXRlX2JvZHlfZGVncHMYBSABKAsyES5idW1wbGVzcy5WZWN0b3IzEikKD2FjdHVhdG9yX3dyZW5jaBgGIAEoCzIQLmJ1bXBsZXNzLldyZW5jaBIqCg9jdXJyZW50X25lZF9tcHMYByABKAsyES5idW1wbGVzcy5WZWN0b3IzEhUKDWVmZmVjdGl2ZW5lc3MYCCADKAESMAoVdGFyZ2V0X3Bvc2l0aW9uX25lZF9tGAkgASgLMhEuYnVtcGxlc3MuVmVjdG9yMxIXCg9jb250YWN0X2ZvcmNlX24YCiABKAESHAoUY29udGFjdF9mb3JjZV9tb3N0X24YCyABKAESFAoMbm9zZV9kZXB0aF9tGAwgASgBEhUKDW5vc2Vfb2Zmc2V0X20YDSABKAEiZQoMU3RhcnRNaXNzaW9uEhEKCWZpbGVfbmFtZRgBIAEoCRIUCgxtaXNzaW9uX3lhbWwYAiABKAkSEQoEc2VlZBgDIAEoDUgAiAEBEhAKCG9wZXJhdG9yGAQgASgJQgcKBV9zZWVkIgcKBUVtcHR5IncKDENvbW1hbmRSZXBseRIQCghhY2NlcHRlZBgBIAEoCBIOCgZyZWFzb24YAiABKAkSIwoIcHJvYmxlbXMYAyADKAsyES5idW1wbGVzcy5Qcm9ibGVtEg4KBnJ1bl9pZBgEIAEoCRIQCghyZXZpc2lvbhgFIAEoBCJhCgdQcm9ibGVtEgwKBGZpbGUYASABKAkSDAoEbGluZRgCIAEoDRIOCgZjb2x1bW4YAyABKA0SDQoFZmllbGQYBCABKAkSDQoFdmFsdWUYBSABKAkSDAoEcnVsZRgGIAEoCSLgAgoNU3dpdGNoTWV0cmljcxIhCglmcm9tX21vZGUYASABKA4yDi5idW1wbGVzcy5Nb2RlEh8KB3RvX21vZGUYAiABKA4yDi5idW1wbGVzcy5Nb2RlEg4KBnRpbWVfcxgDIAEoARIfChdjb21tYW5kX3N0ZXBfbm9ybWFsaXNlZBgEIAEoARIYChBjb21tYW5kX3N0ZXBfcmF3GAUgASgBEhUKDWFjdHVhdG9yX3N0ZXAYBiADKAESEgoKc2V0dGxpbmdfcxgHIAEoARIdChVjb21tYW5kX3N0ZXBfc2V0dGxpbmcYCCABKAESFAoMZm9yY2Vfc3RlcF9uGAkgASgBEhYKDm1vbWVudF9zdGVwX25tGAogASgBEh4KFmFjY2VsZXJhdGlvbl9zdGVwX21wczIYCyABKAESKAogYW5ndWxhcl9hY2NlbGVyYXRpb25fc3RlcF9kZWdwczIYDCABKAEi/wMKC01vZGVNZXRyaWNzEhwKBG1vZGUYASABKA4yDi5idW1wbGVzcy5Nb2RlEhIKCmR1cmF0aW9uX3MYAiABKAESDwoHc2FtcGxlcxgDIAEoDRITCgtkZXB0aF9ybXNfbRgEIAEoARIcChRkZXB0aF9wZWFrX3RvX3BlYWtfbRgFIAEoARIUCgxyb2xsX3Jtc19kZWcYBiABKAESFQoNcGl0Y2hfcm1zX2RlZxgHIAEoARITCgt5YXdfcm1zX2RlZxgIIAEoARIcChRzdXJnZV9zcGVlZF9tZWFuX21wcxgJIAEoARIUCgxhY3R1YXRvcl9ybXMYCiADKAESFAoMcmVzaWR1YWxfcm1zGAsgASgBEhkKEWRlcHRoX2Vycm9yX3Jtc19tGAwgASgBEhkKEWRlcHRoX2Vycm9yX21heF9tGA0gASgBEh8KF2Nyb3NzX3RyYWNrX2Vycm9yX3Jtc19tGA4gASgBEh8KF2Nyb3NzX3RyYWNrX2Vycm9yX21heF9tGA8gASgBEh0KFWhlYWRpbmdfZXJyb3Jfcm1zX2RlZxgQIAEoARIdChVoZWFkaW5nX2Vycm9yX21heF9kZWcYESABKAESGwoTc3BlZWRfZXJyb3Jfcm1zX21wcxgSIAEoARIbChNzcGVlZF9lcnJvcl9tYXhfbXBzGBMgASgBIm4KCUVuZEVycm9ycxISCgpwb3NpdGlvbl9tGAEgASgBEhQKDGhvcml6b250YWxfbRgCIAEoARIPCgdkZXB0aF9tGAMgASgBEhMKC2hlYWRpbmdfZGVnGAQgASgBEhEKCXNwZWVkX21wcxgFIAEoASKFAgoHT3V0Y29tZRIgCgZlbmRpbmcYASABKA4yEC5idW1wbGVzcy5FbmRpbmcSDgoGcmVhc29uGAIgASgJEg0KBWJhc2lzGAMgASgJEhwKBG1vZGUYBCABKA4yDi5idW1wbGVzcy5Nb2RlEg4KBmhlbGRfcxgFIAEoARIRCgljbG9zZXN0X20YBiABKAESEQoJY2xvc2VzdF9zGAcgASgBEigKC3RydWVfZXJyb3JzGAggASgLMhMuYnVtcGxlc3MuRW5kRXJyb3JzEiwKD2JlbGlldmVkX2Vycm9ycxgJIAEoCzITLmJ1bXBsZXNzLkVuZEVycm9ycxINCgV0cmllcxgKIAEoDSKKAQoOQ2FwdHVyZU1ldHJpY3MSEAoIY2FwdHVyZWQYASABKAgSDgoGdGltZV9zGAIgASgBEhMKC3NlYXRfdGltZV9zGAMgASgBEhMKC2ZvcmNlX21heF9uGAQgASgBEhQKDGZvcmNlX21vc3RfbhgFIAEoARIWCg5lbnRyeV9vZmZzZXRfbRgGIAEoASKzBQoHTWV0cmljcxIOCgZydW5faWQYASABKAkSEgoKZHVyYXRpb25fcxgCIAEoARIOCgZjeWNsZXMYAyABKA0SFAoMcmVzaWR1YWxfcm1zGAQgASgBEhgKEHNhdHVyYXRpb25fcmF0aW8YBSABKAESDgoGZF91X2ZyGAYgASgBEg4KBmRfdV9yaBgHIAEoARIpCghzd2l0Y2hlcxgIIAMoCzIXLmJ1bXBsZXNzLlN3aXRjaE1ldHJpY3MSJAoFbW9kZXMYCSADKAsyFS5idW1wbGVzcy5Nb2RlTWV0cmljcxIaChJzb2x2ZV90aW1lX21lYW5fdXMYCiABKAESGQoRc29sdmVfdGltZV9zdGRfdXMYCyABKAESGQoRc29sdmVfdGltZV9wOTVfdXMYDCABKAESGQoRc29sdmVfdGltZV9tYXhfdXMYDSABKAESFQoNZmluYWxfcmFuZ2VfbRgOIAEoARIcChRpbmNyZW1lbnRfdmlvbGF0aW9ucxgPIAEoDRIeChZkZW1hbmRfc3RlcF92aW9sYXRpb25zGBAgASgNEhkKEXJlc2lkdWFsX3Jtc190cnVlGBEgASgBEhYKDm1pc3NpbmdfY3ljbGVzGBIgASgNEhQKDHNvbHZlZF9yYXRpbxgTIAEoARIiCgdvdXRjb21lGBQgASgLMhEuYnVtcGxlc3MuT3V0Y29tZRIXCg9kX3VfZnJfc2V0dGxpbmcYFSABKAESFwoPZF91X3JoX3NldHRsaW5nGBYgASgBEhYKDnNoYWZ0X2VuZXJneV9qGBcgASgBEhYKDmZpbl90cmF2ZWxfZGVnGBggASgBEhcKD3NjcmV3X3JldmVyc2FscxgZIAEoDRIpCgdjYXB0dXJlGBogASgLMhguYnVtcGxlc3MuQ2FwdHVyZU1ldHJpY3MiWAoNU3RyZWFtTWVzc2FnZRINCgV0b3BpYxgBIAEoCRIOCgZzY2hlbWEYAiABKAkSDwoHcGF5bG9hZBgDIAEoDBIXCg9yZWNlaXZlX3RpbWVfbnMYBCABKAQiXgoLU3RyZWFtRnJhbWUSFgoOc2VydmVyX3RpbWVfbnMYASABKAQSKQoIbWVzc2FnZXMYAiADKAsyFy5idW1wbGVzcy5TdHJlYW1NZXNzYWdlEgwKBHBhc3QYAyABKAgixQIKDFNlcnZlclN0YXR1cxIPCgd0aW1lX25zGAEgASgEEhIKCnZlaGljbGVfaWQYAiABKAkSIQoEbGluaxgDIAEoDjITLmJ1bXBsZXNzLkxpbmtTdGF0ZRIXCg90ZWxlbWV0cnlfYWdlX3MYBCABKAESEQoJcmVjb3JkaW5nGAUgASgIEhgKEHJlY29yZGluZ19ydW5faWQYBiABKAkSFgoOcmVjb3JkZWRfYnl0ZXMYByABKAQSGAoQcmVjb3JkZXJfZHJvcHBlZBgIIAEoBBIVCg1ub2RlX3Jlc3RhcnRzGAkgASgNEhYKDnN0cmVhbV9jbGllbnRzGAogASgNEhYKDnNlcnZlcl92ZXJzaW9uGAsgASgJEhQKDG5vZGVfbWFuYWdlZBgMIAEoCBIYChByZWNvcmRlcl90cm91YmxlGA0gASgJKlAKBE1vZGUSFAoQTU9ERV9VTlNQRUNJRklFRBAAEhAKDE1PREVfRk9SV0FSRBABEhAKDE1PREVfUkVWRVJTRRACEg4KCk1PREVfSE9WRVIQAyqyAQoMTWlzc2lvblBoYXNlEh0KGU1JU1NJT05fUEhBU0VfVU5TUEVDSUZJRUQQABIWChJNSVNTSU9OX1BIQVNFX0lETEUQARIZChVNSVNTSU9OX1BIQVNFX1JVTk5JTkcQAhIYChRNSVNTSU9OX1BIQVNFX1BBVVNFRBADEhsKF01JU1NJT05fUEhBU0VfQ09NUExFVEVEEAQSGQoVTUlTU0lPTl9QSEFTRV9BQk9SVEVEEAUqtQEKC1NvbHZlU3RhdHVzEhwKGFNPTFZFX1NUQVRVU19VTlNQRUNJRklFRBAAEhcKE1NPTFZFX1NUQVRVU19TT0xWRUQQARIdChlTT0xWRV9TVEFUVVNfQlVER0VUX1NQRU5UEAISGwoXU09MVkVfU1RBVFVTX0lORkVBU0lCTEUQAxIZChVTT0xWRV9TVEFUVVNfRkFMTEJBQ0sQBBIYChRTT0xWRV9TVEFUVVNfUkVGVVNFRBAFKmEKCFNldmVyaXR5EhgKFFNFVkVSSVRZX1VOU1BFQ0lGSUVEEAASEQoNU0VWRVJJVFlfSU5GTxABEhQKEFNFVkVSSVRZX1dBUk5JTkcQAhISCg5TRVZFUklUWV9BTEFSTRADKuIBCgxEb2NraW5nU3RhZ2USHQoZRE9DS0lOR19TVEFHRV9VTlNQRUNJRklFRBAAEhkKFURPQ0tJTkdfU1RBR0VfVFJBTlNJVBABEhcKE0RPQ0tJTkdfU1RBR0VfRU5UUlkQAhIaChZET0NLSU5HX1NUQUdFX0FQUFJPQUNIEAMSFgoSRE9DS0lOR19TVEFHRV9CQUNLEAQSFgoSRE9DS0lOR19TVEFHRV9IT0xEEAUSFwoTRE9DS0lOR19TVEFHRV9DUkVFUBAGEhoKFkRPQ0tJTkdfU1RBR0VfQ0FQVFVSRUQQByroAgoNV2F2ZU9mZlJlYXNvbhIfChtXQVZFX09GRl9SRUFTT05fVU5TUEVDSUZJRUQQABIfChtXQVZFX09GRl9SRUFTT05fVEFSR0VUX0xPU1QQARIcChhXQVZFX09GRl9SRUFTT05fT0ZGX0xJTkUQAhIfChtXQVZFX09GRl9SRUFTT05fT0ZGX0hFQURJTkcQAxIdChlXQVZFX09GRl9SRUFTT05fT0ZGX0RFUFRIEAQSHAoYV0FWRV9PRkZfUkVBU09OX09WRVJTSE9UEAUSIQodV0FWRV9PRkZfUkVBU09OX1NUVUNLX0FUX0dBVEUQBhIcChhXQVZFX09GRl9SRUFTT05fTk9UX1NFRU4QBxIcChhXQVZFX09GRl9SRUFTT05fVE9PX1NMT1cQCBIbChdXQVZFX09GRl9SRUFTT05fQ1VSUkVOVBAJEh0KGVdBVkVfT0ZGX1JFQVNPTl9USU1FX09WRVIQCiqxAQoGRW5kaW5nEhYKEkVORElOR19VTlNQRUNJRklFRBAAEhEKDUVORElOR19ET0NLRUQQARIPCgtFTkRJTkdfSEVMRBACEhQKEEVORElOR19XQVZFRF9PRkYQAxIUChBFTkRJTkdfVElNRV9PVkVSEAQSEgoORU5ESU5HX0FCT1JURUQQBRITCg9FTkRJTkdfQ09MTElERUQQBhIWChJFTkRJTkdfSU5URVJSVVBURUQQByp/CglMaW5rU3RhdGUSGgoWTElOS19TVEFURV9VTlNQRUNJRklFRBAAEhYKEkxJTktfU1RBVEVfV0FJVElORxABEhMKD0xJTktfU1RBVEVfTElWRRACEhQKEExJTktfU1RBVEVfU1RBTEUQAxITCg9MSU5LX1NUQVRFX0xPU1QQBGIGcHJvdG8z");
+  fileDesc("Cg5idW1wbGVzcy5wcm90bxIIYnVtcGxlc3MiKgoHVmVjdG9yMxIJCgF4GAEgASgBEgkKAXkYAiABKAESCQoBehgDIAEoASJACghBdHRpdHVkZRIQCghyb2xsX2RlZxgBIAEoARIRCglwaXRjaF9kZWcYAiABKAESDwoHeWF3X2RlZxgDIAEoASJZCgZXcmVuY2gSCwoDeF9uGAEgASgBEgsKA3lfbhgCIAEoARILCgN6X24YAyABKAESDAoEa19ubRgEIAEoARIMCgRtX25tGAUgASgBEgwKBG5fbm0YBiABKAEiPwoFU3RhbXASDwoHdGltZV9ucxgBIAEoBBIWCg5taXNzaW9uX3RpbWVfcxgCIAEoARINCgVjeWNsZRgDIAEoBCKAAwoKTmF2aWdhdGlvbhIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEikKDnBvc2l0aW9uX25lZF9tGAIgASgLMhEuYnVtcGxlc3MuVmVjdG9yMxIkCghhdHRpdHVkZRgDIAEoCzISLmJ1bXBsZXNzLkF0dGl0dWRlEiwKEXZlbG9jaXR5X2JvZHlfbXBzGAQgASgLMhEuYnVtcGxlc3MuVmVjdG9yMxI6Ch92ZWxvY2l0eV90aHJvdWdoX3dhdGVyX2JvZHlfbXBzGAUgASgLMhEuYnVtcGxlc3MuVmVjdG9yMxIyChdhbmd1bGFyX3JhdGVfYm9keV9kZWdwcxgGIAEoCzIRLmJ1bXBsZXNzLlZlY3RvcjMSDwoHZGVwdGhfbRgHIAEoARIdChVzcGVlZF9vdmVyX2dyb3VuZF9tcHMYCCABKAESMwoYY3VycmVudF9lc3RpbWF0ZV9uZWRfbXBzGAkgASgLMhEuYnVtcGxlc3MuVmVjdG9yMyKUAgoIR3VpZGFuY2USHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIhChlzdXJnZV9zcGVlZF9yZWZlcmVuY2VfbXBzGAIgASgBEhkKEWRlcHRoX3JlZmVyZW5jZV9tGAMgASgBEi4KEmF0dGl0dWRlX3JlZmVyZW5jZRgEIAEoCzISLmJ1bXBsZXNzLkF0dGl0dWRlEhsKE2Nyb3NzX3RyYWNrX2Vycm9yX20YBSABKAESGwoTYWxvbmdfdHJhY2tfZXJyb3JfbRgGIAEoARILCgNsZWcYByABKA0SEQoJbGVnX2NvdW50GAggASgNEiAKGHN3YXlfc3BlZWRfcmVmZXJlbmNlX21wcxgJIAEoASLcBAoKU3VwZXJ2aXNvchIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEhwKBG1vZGUYAiABKA4yDi5idW1wbGVzcy5Nb2RlEiUKDXByZXZpb3VzX21vZGUYAyABKA4yDi5idW1wbGVzcy5Nb2RlEg8KB3JhbmdlX20YBCABKAESFQoNZGV0ZWN0aW9uX3JhdxgFIAEoCBIRCglkZXRlY3Rpb24YBiABKAgSDQoFa2FwcGEYByABKAESFgoOdGltZV9pbl9tb2RlX3MYCCABKAESGQoRZHdlbGxfcmVtYWluaW5nX3MYCSABKAESGAoQcmFuZ2VfcmhfbG93ZXJfbRgKIAEoARIYChByYW5nZV9yaF91cHBlcl9tGAsgASgBEhgKEHJhbmdlX2ZyX2xvd2VyX20YDCABKAESGAoQcmFuZ2VfZnJfdXBwZXJfbRgNIAEoARIYChByYW5nZV9oZl91cHBlcl9tGA4gASgBEiUKBXBoYXNlGA8gASgOMhYuYnVtcGxlc3MuTWlzc2lvblBoYXNlEi0KDWRvY2tpbmdfc3RhZ2UYECABKA4yFi5idW1wbGVzcy5Eb2NraW5nU3RhZ2USFQoNZG9ja2luZ190cmllcxgRIAEoDRIaChJkb2NraW5nX3RyaWVzX21vc3QYEiABKA0SMAoPd2F2ZV9vZmZfcmVhc29uGBMgASgOMhcuYnVtcGxlc3MuV2F2ZU9mZlJlYXNvbhIcChRhcHByb2FjaF9oZWFkaW5nX2RlZxgUIAEoARIRCglmaXhfYWdlX3MYFSABKAEi3wEKB0NvbnRyb2wSHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIiCghkZW1hbmRlZBgCIAEoCzIQLmJ1bXBsZXNzLldyZW5jaBImCgxkZW1hbmRlZF9yYXcYAyABKAsyEC5idW1wbGVzcy5XcmVuY2gSIgoIYWNoaWV2ZWQYBCABKAsyEC5idW1wbGVzcy5XcmVuY2gSIgoIcmVzaWR1YWwYBSABKAsyEC5idW1wbGVzcy5XcmVuY2gSIAoGZnJvemVuGAYgASgLMhAuYnVtcGxlc3MuV3JlbmNoIvoBCgpBbGxvY2F0aW9uEh4KBXN0YW1wGAEgASgLMg8uYnVtcGxlc3MuU3RhbXASJQoGc3RhdHVzGAIgASgOMhUuYnVtcGxlc3MuU29sdmVTdGF0dXMSFgoOc3FwX2l0ZXJhdGlvbnMYAyABKA0SFAoMa2t0X3Jlc2lkdWFsGAQgASgBEhUKDXJlc2lkdWFsX25vcm0YBSABKAESDAoEY29zdBgGIAEoARIVCg1zb2x2ZV90aW1lX3VzGAcgASgBEhcKD3NhdHVyYXRlZF9jb3VudBgIIAEoDRIOCgZzb2x2ZXIYCSABKAkSEgoKc2xhY2tfbm9ybRgKIAEoASKxAgoIQWN0dWF0b3ISDAoEbmFtZRgBIAEoCRIMCgR1bml0GAIgASgJEg8KB2NvbW1hbmQYAyABKAESEAoIZmVlZGJhY2sYBCABKAESDQoFbG93ZXIYBSABKAESDQoFdXBwZXIYBiABKAESFwoPYW1wbGl0dWRlX2xvd2VyGAcgASgBEhcKD2FtcGxpdHVkZV91cHBlchgIIAEoARIRCglzYXR1cmF0ZWQYCSABKAgSFAoMcmF0ZV9saW1pdGVkGAogASgIEhcKD2luY3JlbWVudF9ib3VuZBgLIAEoARIaCg1lZmZlY3RpdmVuZXNzGAwgASgBSACIAQESFgoOZmF1bHRfZXZpZGVuY2UYDSABKAESDgoGZmF1bHR5GA4gASgIQhAKDl9lZmZlY3RpdmVuZXNzIlIKCUFjdHVhdG9ycxIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEiUKCWFjdHVhdG9ycxgCIAMoCzISLmJ1bXBsZXNzLkFjdHVhdG9yIvQBCgZUYXJnZXQSHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIQCghkZXRlY3RlZBgCIAEoCBIYChBtZWFzdXJlZF9yYW5nZV9tGAMgASgBEhMKC2JlYXJpbmdfZGVnGAQgASgBEhUKDWVsZXZhdGlvbl9kZWcYBSABKAESKQoOcG9zaXRpb25fbmVkX20YBiABKAsyES5idW1wbGVzcy5WZWN0b3IzEhMKC2hlYWRpbmdfZGVnGAcgASgBEjIKF29ic2VydmF0aW9uX3BvaW50X25lZF9tGAggASgLMhEuYnVtcGxlc3MuVmVjdG9yMyLdAQoNTWlzc2lvblN0YXR1cxIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEiUKBXBoYXNlGAIgASgOMhYuYnVtcGxlc3MuTWlzc2lvblBoYXNlEg4KBnJ1bl9pZBgDIAEoCRIUCgxtaXNzaW9uX25hbWUYBCABKAkSFgoObWlzc2lvbl9zaGEyNTYYBSABKAkSEgoKZHVyYXRpb25fcxgGIAEoARIRCgllbGFwc2VkX3MYByABKAESDAoEc2VlZBgIIAEoDRISCgplbmRfcmVhc29uGAkgASgJIoYBCgRQbGFuEh4KBXN0YW1wGAEgASgLMg8uYnVtcGxlc3MuU3RhbXASEQoJZmlsZV9uYW1lGAIgASgJEhQKDG1pc3Npb25feWFtbBgDIAEoCRIOCgZzaGEyNTYYBCABKAkSJQoKcGF0aF9uZWRfbRgFIAMoCzIRLmJ1bXBsZXNzLlZlY3RvcjMiXQoOTW9kZVBhcmFtZXRlcnMSEgoKcV9kaWFnb25hbBgBIAMoARISCgpyX2RpYWdvbmFsGAIgAygBEg4KBmxhbWJkYRgDIAEoARITCgtyYW1wX2N5Y2xlcxgEIAEoDSL/AQoUU3VwZXJ2aXNvclBhcmFtZXRlcnMSGAoQcmFuZ2VfcmhfbG93ZXJfbRgBIAEoARIYChByYW5nZV9yaF91cHBlcl9tGAIgASgBEhgKEHJhbmdlX2ZyX2xvd2VyX20YAyABKAESGAoQcmFuZ2VfZnJfdXBwZXJfbRgEIAEoARIYChByYW5nZV9oZl91cHBlcl9tGAUgASgBEhQKDGR3ZWxsX2N5Y2xlcxgGIAEoDRIWCg5kZXRlY3Rpb25faGl0cxgHIAEoDRIYChBkZXRlY3Rpb25fd2luZG93GAggASgNEh0KFWRldGVjdGlvbl9ob2xkX2N5Y2xlcxgJIAEoDSJfChJCdW1wbGVzc1BhcmFtZXRlcnMSDAoEcmFtcBgBIAEoCBIcChRpbnRlZ3JhdG9yX2FsaWdubWVudBgCIAEoCBIdChV3YXJtX3N0YXJ0X3Byb2plY3Rpb24YAyABKAgi7wEKClBhcmFtZXRlcnMSKQoHZm9yd2FyZBgBIAEoCzIYLmJ1bXBsZXNzLk1vZGVQYXJhbWV0ZXJzEikKB3JldmVyc2UYAiABKAsyGC5idW1wbGVzcy5Nb2RlUGFyYW1ldGVycxInCgVob3ZlchgDIAEoCzIYLmJ1bXBsZXNzLk1vZGVQYXJhbWV0ZXJzEjIKCnN1cGVydmlzb3IYBCABKAsyHi5idW1wbGVzcy5TdXBlcnZpc29yUGFyYW1ldGVycxIuCghidW1wbGVzcxgFIAEoCzIcLmJ1bXBsZXNzLkJ1bXBsZXNzUGFyYW1ldGVycyK7AQoQUGFyYW1ldGVyc1N0YXR1cxIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEiQKBmFjdGl2ZRgCIAEoCzIULmJ1bXBsZXNzLlBhcmFtZXRlcnMSEAoIcmV2aXNpb24YAyABKAQSDgoGc2hhMjU2GAQgASgJEiYKCGRlZmF1bHRzGAUgASgLMhQuYnVtcGxlc3MuUGFyYW1ldGVycxIXCg9wYXJhbWV0ZXJzX2pzb24YBiABKAki5AEKElZlaGljbGVEZXNjcmlwdGlvbhIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEhIKCnZlaGljbGVfaWQYAiABKAkSFAoMdmVoaWNsZV9uYW1lGAMgASgJEhQKDHZlaGljbGVfdG9tbBgEIAEoCRIOCgZzaGEyNTYYBSABKAkSGAoQc29mdHdhcmVfdmVyc2lvbhgGIAEoCRIYChBjb250cm9sX3BlcmlvZF9zGAcgASgBEhYKDmFjdHVhdG9yX25hbWVzGAggAygJEhIKCnNlc3Npb25faWQYCSABKAkijAIKBkhlYWx0aBIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEg4KBmN5Y2xlcxgCIAEoBBIVCg1taXNzZWRfY3ljbGVzGAMgASgEEhcKD2xhdGVuZXNzX3A5OV9tcxgEIAEoARIXCg9sYXRlbmVzc19tYXhfbXMYBSABKAESGQoRY3ljbGVfdGltZV9wNTBfdXMYBiABKAESGQoRY3ljbGVfdGltZV9wOTlfdXMYByABKAESFgoOcmVzaWRlbnRfYnl0ZXMYCCABKAQSEgoKcHJvY2Vzc19pZBgJIAEoDRIRCglob3N0X25hbWUYCiABKAkSFAoMZHJvcHBlZF9yb3dzGAsgASgEIsgBCgVFdmVudBIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEiQKCHNldmVyaXR5GAIgASgOMhIuYnVtcGxlc3MuU2V2ZXJpdHkSDAoEY29kZRgDIAEoCRIMCgR0ZXh0GAQgASgJEi0KB2RldGFpbHMYBSADKAsyHC5idW1wbGVzcy5FdmVudC5EZXRhaWxzRW50cnkaLgoMRGV0YWlsc0VudHJ5EgsKA2tleRgBIAEoCRINCgV2YWx1ZRgCIAEoCToCOAEi/wIKClRydXRoU3RhdGUSHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIpCg5wb3NpdGlvbl9uZWRfbRgCIAEoCzIRLmJ1bXBsZXNzLlZlY3RvcjMSJAoIYXR0aXR1ZGUYAyABKAsyEi5idW1wbGVzcy5BdHRpdHVkZRIsChF2ZWxvY2l0eV9ib2R5X21wcxgEIAEoCzIRLmJ1bXBsZXNzLlZlY3RvcjMSMgoXYW5ndWxhcl9yYXRlX2JvZHlfZGVncHMYBSABKAsyES5idW1wbGVzcy5WZWN0b3IzEikKD2FjdHVhdG9yX3dyZW5jaBgGIAEoCzIQLmJ1bXBsZXNzLldyZW5jaBIqCg9jdXJyZW50X25lZF9tcHMYByABKAsyES5idW1wbGVzcy5WZWN0b3IzEhUKDWVmZmVjdGl2ZW5lc3MYCCADKAESMAoVdGFyZ2V0X3Bvc2l0aW9uX25lZF9tGAkgASgLMhEuYnVtcGxlc3MuVmVjdG9yMyJlCgxTdGFydE1pc3Npb24SEQoJZmlsZV9uYW1lGAEgASgJEhQKDG1pc3Npb25feWFtbBgCIAEoCRIRCgRzZWVkGAMgASgNSACIAQESEAoIb3BlcmF0b3IYBCABKAlCBwoFX3NlZWQifQoNUmVxdWVzdEhlYWRlchIKCgJpZBgBIAEoCRISCgpleHBpcmVzX25zGAIgASgEEhIKCnNlc3Npb25faWQYAyABKAkSDgoGYXV0aG9yGAQgASgJEhgKC2lmX3JldmlzaW9uGAUgASgESACIAQFCDgoMX2lmX3JldmlzaW9uIgcKBUVtcHR5IqoBCgxDb21tYW5kUmVwbHkSEAoIYWNjZXB0ZWQYASABKAgSDgoGcmVhc29uGAIgASgJEiMKCHByb2JsZW1zGAMgAygLMhEuYnVtcGxlc3MuUHJvYmxlbRIOCgZydW5faWQYBCABKAkSEAoIcmV2aXNpb24YBSABKAQSCgoCaWQYBiABKAkSJQoFY2F1c2UYByABKA4yFi5idW1wbGVzcy5SZWZ1c2FsQ2F1c2UiYQoHUHJvYmxlbRIMCgRmaWxlGAEgASgJEgwKBGxpbmUYAiABKA0SDgoGY29sdW1uGAMgASgNEg0KBWZpZWxkGAQgASgJEg0KBXZhbHVlGAUgASgJEgwKBHJ1bGUYBiABKAki4AIKDVN3aXRjaE1ldHJpY3MSIQoJZnJvbV9tb2RlGAEgASgOMg4uYnVtcGxlc3MuTW9kZRIfCgd0b19tb2RlGAIgASgOMg4uYnVtcGxlc3MuTW9kZRIOCgZ0aW1lX3MYAyABKAESHwoXY29tbWFuZF9zdGVwX25vcm1hbGlzZWQYBCABKAESGAoQY29tbWFuZF9zdGVwX3JhdxgFIAEoARIVCg1hY3R1YXRvcl9zdGVwGAYgAygBEhIKCnNldHRsaW5nX3MYByABKAESHQoVY29tbWFuZF9zdGVwX3NldHRsaW5nGAggASgBEhQKDGZvcmNlX3N0ZXBfbhgJIAEoARIWCg5tb21lbnRfc3RlcF9ubRgKIAEoARIeChZhY2NlbGVyYXRpb25fc3RlcF9tcHMyGAsgASgBEigKIGFuZ3VsYXJfYWNjZWxlcmF0aW9uX3N0ZXBfZGVncHMyGAwgASgBIv8DCgtNb2RlTWV0cmljcxIcCgRtb2RlGAEgASgOMg4uYnVtcGxlc3MuTW9kZRISCgpkdXJhdGlvbl9zGAIgASgBEg8KB3NhbXBsZXMYAyABKA0SEwoLZGVwdGhfcm1zX20YBCABKAESHAoUZGVwdGhfcGVha190b19wZWFrX20YBSABKAESFAoMcm9sbF9ybXNfZGVnGAYgASgBEhUKDXBpdGNoX3Jtc19kZWcYByABKAESEwoLeWF3X3Jtc19kZWcYCCABKAESHAoUc3VyZ2Vfc3BlZWRfbWVhbl9tcHMYCSABKAESFAoMYWN0dWF0b3Jfcm1zGAogAygBEhQKDHJlc2lkdWFsX3JtcxgLIAEoARIZChFkZXB0aF9lcnJvcl9ybXNfbRgMIAEoARIZChFkZXB0aF9lcnJvcl9tYXhfbRgNIAEoARIfChdjcm9zc190cmFja19lcnJvcl9ybXNfbRgOIAEoARIfChdjcm9zc190cmFja19lcnJvcl9tYXhfbRgPIAEoARIdChVoZWFkaW5nX2Vycm9yX3Jtc19kZWcYECABKAESHQoVaGVhZGluZ19lcnJvcl9tYXhfZGVnGBEgASgBEhsKE3NwZWVkX2Vycm9yX3Jtc19tcHMYEiABKAESGwoTc3BlZWRfZXJyb3JfbWF4X21wcxgTIAEoASJuCglFbmRFcnJvcnMSEgoKcG9zaXRpb25fbRgBIAEoARIUCgxob3Jpem9udGFsX20YAiABKAESDwoHZGVwdGhfbRgDIAEoARITCgtoZWFkaW5nX2RlZxgEIAEoARIRCglzcGVlZF9tcHMYBSABKAEihQIKB091dGNvbWUSIAoGZW5kaW5nGAEgASgOMhAuYnVtcGxlc3MuRW5kaW5nEg4KBnJlYXNvbhgCIAEoCRINCgViYXNpcxgDIAEoCRIcCgRtb2RlGAQgASgOMg4uYnVtcGxlc3MuTW9kZRIOCgZoZWxkX3MYBSABKAESEQoJY2xvc2VzdF9tGAYgASgBEhEKCWNsb3Nlc3RfcxgHIAEoARIoCgt0cnVlX2Vycm9ycxgIIAEoCzITLmJ1bXBsZXNzLkVuZEVycm9ycxIsCg9iZWxpZXZlZF9lcnJvcnMYCSABKAsyEy5idW1wbGVzcy5FbmRFcnJvcnMSDQoFdHJpZXMYCiABKA0iiAUKB01ldHJpY3MSDgoGcnVuX2lkGAEgASgJEhIKCmR1cmF0aW9uX3MYAiABKAESDgoGY3ljbGVzGAMgASgNEhQKDHJlc2lkdWFsX3JtcxgEIAEoARIYChBzYXR1cmF0aW9uX3JhdGlvGAUgASgBEg4KBmRfdV9mchgGIAEoARIOCgZkX3VfcmgYByABKAESKQoIc3dpdGNoZXMYCCADKAsyFy5idW1wbGVzcy5Td2l0Y2hNZXRyaWNzEiQKBW1vZGVzGAkgAygLMhUuYnVtcGxlc3MuTW9kZU1ldHJpY3MSGgoSc29sdmVfdGltZV9tZWFuX3VzGAogASgBEhkKEXNvbHZlX3RpbWVfc3RkX3VzGAsgASgBEhkKEXNvbHZlX3RpbWVfcDk1X3VzGAwgASgBEhkKEXNvbHZlX3RpbWVfbWF4X3VzGA0gASgBEhUKDWZpbmFsX3JhbmdlX20YDiABKAESHAoUaW5jcmVtZW50X3Zpb2xhdGlvbnMYDyABKA0SHgoWZGVtYW5kX3N0ZXBfdmlvbGF0aW9ucxgQIAEoDRIZChFyZXNpZHVhbF9ybXNfdHJ1ZRgRIAEoARIWCg5taXNzaW5nX2N5Y2xlcxgSIAEoDRIUCgxzb2x2ZWRfcmF0aW8YEyABKAESIgoHb3V0Y29tZRgUIAEoCzIRLmJ1bXBsZXNzLk91dGNvbWUSFwoPZF91X2ZyX3NldHRsaW5nGBUgASgBEhcKD2RfdV9yaF9zZXR0bGluZxgWIAEoARIWCg5zaGFmdF9lbmVyZ3lfahgXIAEoARIWCg5maW5fdHJhdmVsX2RlZxgYIAEoARIXCg9zY3Jld19yZXZlcnNhbHMYGSABKA0iWAoNU3RyZWFtTWVzc2FnZRINCgV0b3BpYxgBIAEoCRIOCgZzY2hlbWEYAiABKAkSDwoHcGF5bG9hZBgDIAEoDBIXCg9yZWNlaXZlX3RpbWVfbnMYBCABKAQiXgoLU3RyZWFtRnJhbWUSFgoOc2VydmVyX3RpbWVfbnMYASABKAQSKQoIbWVzc2FnZXMYAiADKAsyFy5idW1wbGVzcy5TdHJlYW1NZXNzYWdlEgwKBHBhc3QYAyABKAgirgMKDFNlcnZlclN0YXR1cxIPCgd0aW1lX25zGAEgASgEEhIKCnZlaGljbGVfaWQYAiABKAkSIQoEbGluaxgDIAEoDjITLmJ1bXBsZXNzLkxpbmtTdGF0ZRIXCg90ZWxlbWV0cnlfYWdlX3MYBCABKAESEQoJcmVjb3JkaW5nGAUgASgIEhgKEHJlY29yZGluZ19ydW5faWQYBiABKAkSFgoOcmVjb3JkZWRfYnl0ZXMYByABKAQSGAoQcmVjb3JkZXJfZHJvcHBlZBgIIAEoBBIVCg1ub2RlX3Jlc3RhcnRzGAkgASgNEhYKDnN0cmVhbV9jbGllbnRzGAogASgNEhYKDnNlcnZlcl92ZXJzaW9uGAsgASgJEhQKDG5vZGVfbWFuYWdlZBgMIAEoCBIYChByZWNvcmRlcl90cm91YmxlGA0gASgJEigKBnRvcGljcxgOIAMoCzIYLmJ1bXBsZXNzLlRvcGljRnJlc2huZXNzEhYKDmNsb2NrX29mZnNldF9zGA8gASgBEhIKCmJ1c19ub3RpY2UYECABKAkSEQoJc2V0X2FzaWRlGBEgASgEIlEKDlRvcGljRnJlc2huZXNzEg0KBXRvcGljGAEgASgJEg0KBWFnZV9zGAIgASgBEhMKC2ZyZXNoX2Zvcl9zGAMgASgBEgwKBGxhdGUYBCABKAgqUAoETW9kZRIUChBNT0RFX1VOU1BFQ0lGSUVEEAASEAoMTU9ERV9GT1JXQVJEEAESEAoMTU9ERV9SRVZFUlNFEAISDgoKTU9ERV9IT1ZFUhADKrIBCgxNaXNzaW9uUGhhc2USHQoZTUlTU0lPTl9QSEFTRV9VTlNQRUNJRklFRBAAEhYKEk1JU1NJT05fUEhBU0VfSURMRRABEhkKFU1JU1NJT05fUEhBU0VfUlVOTklORxACEhgKFE1JU1NJT05fUEhBU0VfUEFVU0VEEAMSGwoXTUlTU0lPTl9QSEFTRV9DT01QTEVURUQQBBIZChVNSVNTSU9OX1BIQVNFX0FCT1JURUQQBSq1AQoLU29sdmVTdGF0dXMSHAoYU09MVkVfU1RBVFVTX1VOU1BFQ0lGSUVEEAASFwoTU09MVkVfU1RBVFVTX1NPTFZFRBABEh0KGVNPTFZFX1NUQVRVU19CVURHRVRfU1BFTlQQAhIbChdTT0xWRV9TVEFUVVNfSU5GRUFTSUJMRRADEhkKFVNPTFZFX1NUQVRVU19GQUxMQkFDSxAEEhgKFFNPTFZFX1NUQVRVU19SRUZVU0VEEAUqYQoIU2V2ZXJpdHkSGAoUU0VWRVJJVFlfVU5TUEVDSUZJRUQQABIRCg1TRVZFUklUWV9JTkZPEAESFAoQU0VWRVJJVFlfV0FSTklORxACEhIKDlNFVkVSSVRZX0FMQVJNEAMqrQEKDERvY2tpbmdTdGFnZRIdChlET0NLSU5HX1NUQUdFX1VOU1BFQ0lGSUVEEAASGQoVRE9DS0lOR19TVEFHRV9UUkFOU0lUEAESFwoTRE9DS0lOR19TVEFHRV9FTlRSWRACEhoKFkRPQ0tJTkdfU1RBR0VfQVBQUk9BQ0gQAxIWChJET0NLSU5HX1NUQUdFX0JBQ0sQBBIWChJET0NLSU5HX1NUQUdFX0hPTEQQBSroAgoNV2F2ZU9mZlJlYXNvbhIfChtXQVZFX09GRl9SRUFTT05fVU5TUEVDSUZJRUQQABIfChtXQVZFX09GRl9SRUFTT05fVEFSR0VUX0xPU1QQARIcChhXQVZFX09GRl9SRUFTT05fT0ZGX0xJTkUQAhIfChtXQVZFX09GRl9SRUFTT05fT0ZGX0hFQURJTkcQAxIdChlXQVZFX09GRl9SRUFTT05fT0ZGX0RFUFRIEAQSHAoYV0FWRV9PRkZfUkVBU09OX09WRVJTSE9UEAUSIQodV0FWRV9PRkZfUkVBU09OX1NUVUNLX0FUX0dBVEUQBhIcChhXQVZFX09GRl9SRUFTT05fTk9UX1NFRU4QBxIcChhXQVZFX09GRl9SRUFTT05fVE9PX1NMT1cQCBIbChdXQVZFX09GRl9SRUFTT05fQ1VSUkVOVBAJEh0KGVdBVkVfT0ZGX1JFQVNPTl9USU1FX09WRVIQCiraAQoMUmVmdXNhbENhdXNlEh0KGVJFRlVTQUxfQ0FVU0VfVU5TUEVDSUZJRUQQABIWChJSRUZVU0FMX0NBVVNFX0xBVEUQARIWChJSRUZVU0FMX0NBVVNFX0JVU1kQAhIbChdSRUZVU0FMX0NBVVNFX09WRVJUQUtFThADEiAKHFJFRlVTQUxfQ0FVU0VfU1RBTEVfUkVWSVNJT04QBBIbChdSRUZVU0FMX0NBVVNFX05PX0hFQURFUhAFEh8KG1JFRlVTQUxfQ0FVU0VfTk9UX0FERFJFU1NFRBAGKrEBCgZFbmRpbmcSFgoSRU5ESU5HX1VOU1BFQ0lGSUVEEAASEQoNRU5ESU5HX0RPQ0tFRBABEg8KC0VORElOR19IRUxEEAISFAoQRU5ESU5HX1dBVkVEX09GRhADEhQKEEVORElOR19USU1FX09WRVIQBBISCg5FTkRJTkdfQUJPUlRFRBAFEhMKD0VORElOR19DT0xMSURFRBAGEhYKEkVORElOR19JTlRFUlJVUFRFRBAHKn8KCUxpbmtTdGF0ZRIaChZMSU5LX1NUQVRFX1VOU1BFQ0lGSUVEEAASFgoSTElOS19TVEFURV9XQUlUSU5HEAESEwoPTElOS19TVEFURV9MSVZFEAISFAoQTElOS19TVEFURV9TVEFMRRADEhMKD0xJTktfU1RBVEVfTE9TVBAEYgZwcm90bzM");
 
 /**
  * @generated from message bumpless.Vector3
@@ -408,13 +408,6 @@ export type Supervisor = Message<"bumpless.Supervisor"> & {
    * @generated from field: double fix_age_s = 21;
    */
   fixAgeS: number;
-
-  /**
-   * the dock's latch has closed
-   *
-   * @generated from field: bool captured = 22;
-   */
-  captured: boolean;
 };
 
 /**
@@ -1288,34 +1281,6 @@ export type TruthState = Message<"bumpless.TruthState"> & {
    * @generated from field: bumpless.Vector3 target_position_ned_m = 9;
    */
   targetPositionNedM?: Vector3 | undefined;
-
-  /**
-   * of a dock to enter on the hull: largest since the cycle before
-   *
-   * @generated from field: double contact_force_n = 10;
-   */
-  contactForceN: number;
-
-  /**
-   * what dock and hull bear; 0 where there is no dock to enter
-   *
-   * @generated from field: double contact_force_most_n = 11;
-   */
-  contactForceMostN: number;
-
-  /**
-   * of the nose behind the dock's entry
-   *
-   * @generated from field: double nose_depth_m = 12;
-   */
-  noseDepthM: number;
-
-  /**
-   * of the nose from the dock's axis
-   *
-   * @generated from field: double nose_offset_m = 13;
-   */
-  noseOffsetM: number;
 };
 
 /**
@@ -1364,6 +1329,56 @@ export const StartMissionSchema: GenMessage<StartMission> = /*@__PURE__*/
   messageDesc(file_bumpless, 23);
 
 /**
+ * Goes with every request, as the query's attachment. A vehicle carries out a request before it expires or not at
+ * all, and one id once: the same id again is answered as it was the first time.
+ *
+ * @generated from message bumpless.RequestHeader
+ */
+export type RequestHeader = Message<"bumpless.RequestHeader"> & {
+  /**
+   * 1 to 64 characters, new for each request
+   *
+   * @generated from field: string id = 1;
+   */
+  id: string;
+
+  /**
+   * UNIX time by the vehicle's own clock, as its stamps tell it
+   *
+   * @generated from field: uint64 expires_ns = 2;
+   */
+  expiresNs: bigint;
+
+  /**
+   * the one it is meant for, as in VehicleDescription; any when empty
+   *
+   * @generated from field: string session_id = 3;
+   */
+  sessionId: string;
+
+  /**
+   * who asks
+   *
+   * @generated from field: string author = 4;
+   */
+  author: string;
+
+  /**
+   * "set_parameters": refused unless this is what the vehicle flies with
+   *
+   * @generated from field: optional uint64 if_revision = 5;
+   */
+  ifRevision?: bigint | undefined;
+};
+
+/**
+ * Describes the message bumpless.RequestHeader.
+ * Use `create(RequestHeaderSchema)` to create a new message.
+ */
+export const RequestHeaderSchema: GenMessage<RequestHeader> = /*@__PURE__*/
+  messageDesc(file_bumpless, 24);
+
+/**
  * @generated from message bumpless.Empty
  */
 export type Empty = Message<"bumpless.Empty"> & {
@@ -1374,7 +1389,7 @@ export type Empty = Message<"bumpless.Empty"> & {
  * Use `create(EmptySchema)` to create a new message.
  */
 export const EmptySchema: GenMessage<Empty> = /*@__PURE__*/
-  messageDesc(file_bumpless, 24);
+  messageDesc(file_bumpless, 25);
 
 /**
  * @generated from message bumpless.CommandReply
@@ -1410,6 +1425,18 @@ export type CommandReply = Message<"bumpless.CommandReply"> & {
    * @generated from field: uint64 revision = 5;
    */
   revision: bigint;
+
+  /**
+   * of the request
+   *
+   * @generated from field: string id = 6;
+   */
+  id: string;
+
+  /**
+   * @generated from field: bumpless.RefusalCause cause = 7;
+   */
+  cause: RefusalCause;
 };
 
 /**
@@ -1417,7 +1444,7 @@ export type CommandReply = Message<"bumpless.CommandReply"> & {
  * Use `create(CommandReplySchema)` to create a new message.
  */
 export const CommandReplySchema: GenMessage<CommandReply> = /*@__PURE__*/
-  messageDesc(file_bumpless, 25);
+  messageDesc(file_bumpless, 26);
 
 /**
  * One fault of a file or a request.
@@ -1467,7 +1494,7 @@ export type Problem = Message<"bumpless.Problem"> & {
  * Use `create(ProblemSchema)` to create a new message.
  */
 export const ProblemSchema: GenMessage<Problem> = /*@__PURE__*/
-  messageDesc(file_bumpless, 26);
+  messageDesc(file_bumpless, 27);
 
 /**
  * ---- metrics of a run ---------------------------------------------------------------
@@ -1557,7 +1584,7 @@ export type SwitchMetrics = Message<"bumpless.SwitchMetrics"> & {
  * Use `create(SwitchMetricsSchema)` to create a new message.
  */
 export const SwitchMetricsSchema: GenMessage<SwitchMetrics> = /*@__PURE__*/
-  messageDesc(file_bumpless, 27);
+  messageDesc(file_bumpless, 28);
 
 /**
  * @generated from message bumpless.ModeMetrics
@@ -1668,7 +1695,7 @@ export type ModeMetrics = Message<"bumpless.ModeMetrics"> & {
  * Use `create(ModeMetricsSchema)` to create a new message.
  */
 export const ModeMetricsSchema: GenMessage<ModeMetrics> = /*@__PURE__*/
-  messageDesc(file_bumpless, 28);
+  messageDesc(file_bumpless, 29);
 
 /**
  * Where the vehicle was against the observation point and the approach heading.
@@ -1717,7 +1744,7 @@ export type EndErrors = Message<"bumpless.EndErrors"> & {
  * Use `create(EndErrorsSchema)` to create a new message.
  */
 export const EndErrorsSchema: GenMessage<EndErrors> = /*@__PURE__*/
-  messageDesc(file_bumpless, 29);
+  messageDesc(file_bumpless, 30);
 
 /**
  * @generated from message bumpless.Outcome
@@ -1795,58 +1822,6 @@ export type Outcome = Message<"bumpless.Outcome"> & {
  * Use `create(OutcomeSchema)` to create a new message.
  */
 export const OutcomeSchema: GenMessage<Outcome> = /*@__PURE__*/
-  messageDesc(file_bumpless, 30);
-
-/**
- * @generated from message bumpless.CaptureMetrics
- */
-export type CaptureMetrics = Message<"bumpless.CaptureMetrics"> & {
-  /**
-   * @generated from field: bool captured = 1;
-   */
-  captured: boolean;
-
-  /**
-   * mission time of the capture; NaN when there was none
-   *
-   * @generated from field: double time_s = 2;
-   */
-  timeS: number;
-
-  /**
-   * from the nose in the entry to the capture; NaN when there was none
-   *
-   * @generated from field: double seat_time_s = 3;
-   */
-  seatTimeS: number;
-
-  /**
-   * largest sum of normal forces
-   *
-   * @generated from field: double force_max_n = 4;
-   */
-  forceMaxN: number;
-
-  /**
-   * what dock and hull bear
-   *
-   * @generated from field: double force_most_n = 5;
-   */
-  forceMostN: number;
-
-  /**
-   * of the nose from the axis when it last came in; NaN when it never did
-   *
-   * @generated from field: double entry_offset_m = 6;
-   */
-  entryOffsetM: number;
-};
-
-/**
- * Describes the message bumpless.CaptureMetrics.
- * Use `create(CaptureMetricsSchema)` to create a new message.
- */
-export const CaptureMetricsSchema: GenMessage<CaptureMetrics> = /*@__PURE__*/
   messageDesc(file_bumpless, 31);
 
 /**
@@ -2001,13 +1976,6 @@ export type Metrics = Message<"bumpless.Metrics"> & {
    * @generated from field: uint32 screw_reversals = 25;
    */
   screwReversals: number;
-
-  /**
-   * absent where there is no dock to enter
-   *
-   * @generated from field: bumpless.CaptureMetrics capture = 26;
-   */
-  capture?: CaptureMetrics | undefined;
 };
 
 /**
@@ -2160,6 +2128,34 @@ export type ServerStatus = Message<"bumpless.ServerStatus"> & {
    * @generated from field: string recorder_trouble = 13;
    */
   recorderTrouble: string;
+
+  /**
+   * every topic of the contract, heard or not
+   *
+   * @generated from field: repeated bumpless.TopicFreshness topics = 14;
+   */
+  topics: TopicFreshness[];
+
+  /**
+   * vehicle's clock minus the server's; 0 while not known
+   *
+   * @generated from field: double clock_offset_s = 15;
+   */
+  clockOffsetS: number;
+
+  /**
+   * why strangers may speak on the bus; empty when they can't
+   *
+   * @generated from field: string bus_notice = 16;
+   */
+  busNotice: string;
+
+  /**
+   * messages and requests not taken as they came, see /api/diagnostics
+   *
+   * @generated from field: uint64 set_aside = 17;
+   */
+  setAside: bigint;
 };
 
 /**
@@ -2168,6 +2164,48 @@ export type ServerStatus = Message<"bumpless.ServerStatus"> & {
  */
 export const ServerStatusSchema: GenMessage<ServerStatus> = /*@__PURE__*/
   messageDesc(file_bumpless, 35);
+
+/**
+ * How old the last message of one topic is.
+ *
+ * @generated from message bumpless.TopicFreshness
+ */
+export type TopicFreshness = Message<"bumpless.TopicFreshness"> & {
+  /**
+   * "tlm/navigation"
+   *
+   * @generated from field: string topic = 1;
+   */
+  topic: string;
+
+  /**
+   * negative when it was never heard
+   *
+   * @generated from field: double age_s = 2;
+   */
+  ageS: number;
+
+  /**
+   * by the contract's rate and the vehicle's control period
+   *
+   * @generated from field: double fresh_for_s = 3;
+   */
+  freshForS: number;
+
+  /**
+   * older than that, or never heard
+   *
+   * @generated from field: bool late = 4;
+   */
+  late: boolean;
+};
+
+/**
+ * Describes the message bumpless.TopicFreshness.
+ * Use `create(TopicFreshnessSchema)` to create a new message.
+ */
+export const TopicFreshnessSchema: GenMessage<TopicFreshness> = /*@__PURE__*/
+  messageDesc(file_bumpless, 36);
 
 /**
  * @generated from enum bumpless.Mode
@@ -2378,20 +2416,6 @@ export enum DockingStage {
    * @generated from enum value: DOCKING_STAGE_HOLD = 5;
    */
   HOLD = 5,
-
-  /**
-   * along the dock's axis into it
-   *
-   * @generated from enum value: DOCKING_STAGE_CREEP = 6;
-   */
-  CREEP = 6,
-
-  /**
-   * latched in the dock, actuators at rest
-   *
-   * @generated from enum value: DOCKING_STAGE_CAPTURED = 7;
-   */
-  CAPTURED = 7,
 }
 
 /**
@@ -2481,6 +2505,66 @@ export const WaveOffReasonSchema: GenEnum<WaveOffReason> = /*@__PURE__*/
   enumDesc(file_bumpless, 5);
 
 /**
+ * Why a request was refused, where a program acts on it.
+ *
+ * @generated from enum bumpless.RefusalCause
+ */
+export enum RefusalCause {
+  /**
+   * @generated from enum value: REFUSAL_CAUSE_UNSPECIFIED = 0;
+   */
+  UNSPECIFIED = 0,
+
+  /**
+   * it had expired when its turn came
+   *
+   * @generated from enum value: REFUSAL_CAUSE_LATE = 1;
+   */
+  LATE = 1,
+
+  /**
+   * too many requests wait
+   *
+   * @generated from enum value: REFUSAL_CAUSE_BUSY = 2;
+   */
+  BUSY = 2,
+
+  /**
+   * a pause or an abort came after it
+   *
+   * @generated from enum value: REFUSAL_CAUSE_OVERTAKEN = 3;
+   */
+  OVERTAKEN = 3,
+
+  /**
+   * the parameters have changed since
+   *
+   * @generated from enum value: REFUSAL_CAUSE_STALE_REVISION = 4;
+   */
+  STALE_REVISION = 4,
+
+  /**
+   * id or expiry is missing
+   *
+   * @generated from enum value: REFUSAL_CAUSE_NO_HEADER = 5;
+   */
+  NO_HEADER = 5,
+
+  /**
+   * meant for another session
+   *
+   * @generated from enum value: REFUSAL_CAUSE_NOT_ADDRESSED = 6;
+   */
+  NOT_ADDRESSED = 6,
+}
+
+/**
+ * Describes the enum bumpless.RefusalCause.
+ */
+export const RefusalCauseSchema: GenEnum<RefusalCause> = /*@__PURE__*/
+  enumDesc(file_bumpless, 6);
+
+/**
  * How a run ended.
  *
  * @generated from enum bumpless.Ending
@@ -2543,7 +2627,7 @@ export enum Ending {
  * Describes the enum bumpless.Ending.
  */
 export const EndingSchema: GenEnum<Ending> = /*@__PURE__*/
-  enumDesc(file_bumpless, 6);
+  enumDesc(file_bumpless, 7);
 
 /**
  * @generated from enum bumpless.LinkState
@@ -2585,5 +2669,5 @@ export enum LinkState {
  * Describes the enum bumpless.LinkState.
  */
 export const LinkStateSchema: GenEnum<LinkState> = /*@__PURE__*/
-  enumDesc(file_bumpless, 7);
+  enumDesc(file_bumpless, 8);
 

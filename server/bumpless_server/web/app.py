@@ -14,8 +14,10 @@ from bumpless_server.web import errors
 from bumpless_server.web.auth import Auth, session_cookie
 from bumpless_server.web.body_limit import BodyLimit
 from bumpless_server.web.guard import Guard
+from bumpless_server.web.guesses import Guesses
 from bumpless_server.web.routes import (
     declared,
+    diagnostics,
     exchange,
     findings,
     foresight,
@@ -36,6 +38,7 @@ ROUTERS = tuple(
     part.router
     for part in (
         status,
+        diagnostics,
         missions,
         findings,
         exchange,
@@ -70,7 +73,7 @@ def create_app(settings: Settings, console: Console | None = None) -> FastAPI:
     app.state.console = console
     app.state.auth = auth = Auth(settings, console.data.secret())
     app.add_middleware(BodyLimit, max_bytes=settings.upload_bytes)
-    app.add_middleware(Guard, auth=auth)
+    app.add_middleware(Guard, auth=auth, guesses=Guesses(console.tally.note))
     errors.install(app)
     for router in ROUTERS:
         app.include_router(router)

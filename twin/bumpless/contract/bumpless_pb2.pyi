@@ -64,6 +64,16 @@ class WaveOffReason(int, metaclass=_enum_type_wrapper.EnumTypeWrapper):
     WAVE_OFF_REASON_CURRENT: _ClassVar[WaveOffReason]
     WAVE_OFF_REASON_TIME_OVER: _ClassVar[WaveOffReason]
 
+class RefusalCause(int, metaclass=_enum_type_wrapper.EnumTypeWrapper):
+    __slots__ = ()
+    REFUSAL_CAUSE_UNSPECIFIED: _ClassVar[RefusalCause]
+    REFUSAL_CAUSE_LATE: _ClassVar[RefusalCause]
+    REFUSAL_CAUSE_BUSY: _ClassVar[RefusalCause]
+    REFUSAL_CAUSE_OVERTAKEN: _ClassVar[RefusalCause]
+    REFUSAL_CAUSE_STALE_REVISION: _ClassVar[RefusalCause]
+    REFUSAL_CAUSE_NO_HEADER: _ClassVar[RefusalCause]
+    REFUSAL_CAUSE_NOT_ADDRESSED: _ClassVar[RefusalCause]
+
 class Ending(int, metaclass=_enum_type_wrapper.EnumTypeWrapper):
     __slots__ = ()
     ENDING_UNSPECIFIED: _ClassVar[Ending]
@@ -121,6 +131,13 @@ WAVE_OFF_REASON_NOT_SEEN: WaveOffReason
 WAVE_OFF_REASON_TOO_SLOW: WaveOffReason
 WAVE_OFF_REASON_CURRENT: WaveOffReason
 WAVE_OFF_REASON_TIME_OVER: WaveOffReason
+REFUSAL_CAUSE_UNSPECIFIED: RefusalCause
+REFUSAL_CAUSE_LATE: RefusalCause
+REFUSAL_CAUSE_BUSY: RefusalCause
+REFUSAL_CAUSE_OVERTAKEN: RefusalCause
+REFUSAL_CAUSE_STALE_REVISION: RefusalCause
+REFUSAL_CAUSE_NO_HEADER: RefusalCause
+REFUSAL_CAUSE_NOT_ADDRESSED: RefusalCause
 ENDING_UNSPECIFIED: Ending
 ENDING_DOCKED: Ending
 ENDING_HELD: Ending
@@ -593,23 +610,41 @@ class StartMission(_message.Message):
     operator: str
     def __init__(self, file_name: _Optional[str] = ..., mission_yaml: _Optional[str] = ..., seed: _Optional[int] = ..., operator: _Optional[str] = ...) -> None: ...
 
+class RequestHeader(_message.Message):
+    __slots__ = ("id", "expires_ns", "session_id", "author", "if_revision")
+    ID_FIELD_NUMBER: _ClassVar[int]
+    EXPIRES_NS_FIELD_NUMBER: _ClassVar[int]
+    SESSION_ID_FIELD_NUMBER: _ClassVar[int]
+    AUTHOR_FIELD_NUMBER: _ClassVar[int]
+    IF_REVISION_FIELD_NUMBER: _ClassVar[int]
+    id: str
+    expires_ns: int
+    session_id: str
+    author: str
+    if_revision: int
+    def __init__(self, id: _Optional[str] = ..., expires_ns: _Optional[int] = ..., session_id: _Optional[str] = ..., author: _Optional[str] = ..., if_revision: _Optional[int] = ...) -> None: ...
+
 class Empty(_message.Message):
     __slots__ = ()
     def __init__(self) -> None: ...
 
 class CommandReply(_message.Message):
-    __slots__ = ("accepted", "reason", "problems", "run_id", "revision")
+    __slots__ = ("accepted", "reason", "problems", "run_id", "revision", "id", "cause")
     ACCEPTED_FIELD_NUMBER: _ClassVar[int]
     REASON_FIELD_NUMBER: _ClassVar[int]
     PROBLEMS_FIELD_NUMBER: _ClassVar[int]
     RUN_ID_FIELD_NUMBER: _ClassVar[int]
     REVISION_FIELD_NUMBER: _ClassVar[int]
+    ID_FIELD_NUMBER: _ClassVar[int]
+    CAUSE_FIELD_NUMBER: _ClassVar[int]
     accepted: bool
     reason: str
     problems: _containers.RepeatedCompositeFieldContainer[Problem]
     run_id: str
     revision: int
-    def __init__(self, accepted: _Optional[bool] = ..., reason: _Optional[str] = ..., problems: _Optional[_Iterable[_Union[Problem, _Mapping]]] = ..., run_id: _Optional[str] = ..., revision: _Optional[int] = ...) -> None: ...
+    id: str
+    cause: RefusalCause
+    def __init__(self, accepted: _Optional[bool] = ..., reason: _Optional[str] = ..., problems: _Optional[_Iterable[_Union[Problem, _Mapping]]] = ..., run_id: _Optional[str] = ..., revision: _Optional[int] = ..., id: _Optional[str] = ..., cause: _Optional[_Union[RefusalCause, str]] = ...) -> None: ...
 
 class Problem(_message.Message):
     __slots__ = ("file", "line", "column", "field", "value", "rule")
@@ -830,7 +865,7 @@ class StreamFrame(_message.Message):
     def __init__(self, server_time_ns: _Optional[int] = ..., messages: _Optional[_Iterable[_Union[StreamMessage, _Mapping]]] = ..., past: _Optional[bool] = ...) -> None: ...
 
 class ServerStatus(_message.Message):
-    __slots__ = ("time_ns", "vehicle_id", "link", "telemetry_age_s", "recording", "recording_run_id", "recorded_bytes", "recorder_dropped", "node_restarts", "stream_clients", "server_version", "node_managed", "recorder_trouble")
+    __slots__ = ("time_ns", "vehicle_id", "link", "telemetry_age_s", "recording", "recording_run_id", "recorded_bytes", "recorder_dropped", "node_restarts", "stream_clients", "server_version", "node_managed", "recorder_trouble", "topics", "clock_offset_s", "bus_notice", "set_aside")
     TIME_NS_FIELD_NUMBER: _ClassVar[int]
     VEHICLE_ID_FIELD_NUMBER: _ClassVar[int]
     LINK_FIELD_NUMBER: _ClassVar[int]
@@ -844,6 +879,10 @@ class ServerStatus(_message.Message):
     SERVER_VERSION_FIELD_NUMBER: _ClassVar[int]
     NODE_MANAGED_FIELD_NUMBER: _ClassVar[int]
     RECORDER_TROUBLE_FIELD_NUMBER: _ClassVar[int]
+    TOPICS_FIELD_NUMBER: _ClassVar[int]
+    CLOCK_OFFSET_S_FIELD_NUMBER: _ClassVar[int]
+    BUS_NOTICE_FIELD_NUMBER: _ClassVar[int]
+    SET_ASIDE_FIELD_NUMBER: _ClassVar[int]
     time_ns: int
     vehicle_id: str
     link: LinkState
@@ -857,4 +896,20 @@ class ServerStatus(_message.Message):
     server_version: str
     node_managed: bool
     recorder_trouble: str
-    def __init__(self, time_ns: _Optional[int] = ..., vehicle_id: _Optional[str] = ..., link: _Optional[_Union[LinkState, str]] = ..., telemetry_age_s: _Optional[float] = ..., recording: _Optional[bool] = ..., recording_run_id: _Optional[str] = ..., recorded_bytes: _Optional[int] = ..., recorder_dropped: _Optional[int] = ..., node_restarts: _Optional[int] = ..., stream_clients: _Optional[int] = ..., server_version: _Optional[str] = ..., node_managed: _Optional[bool] = ..., recorder_trouble: _Optional[str] = ...) -> None: ...
+    topics: _containers.RepeatedCompositeFieldContainer[TopicFreshness]
+    clock_offset_s: float
+    bus_notice: str
+    set_aside: int
+    def __init__(self, time_ns: _Optional[int] = ..., vehicle_id: _Optional[str] = ..., link: _Optional[_Union[LinkState, str]] = ..., telemetry_age_s: _Optional[float] = ..., recording: _Optional[bool] = ..., recording_run_id: _Optional[str] = ..., recorded_bytes: _Optional[int] = ..., recorder_dropped: _Optional[int] = ..., node_restarts: _Optional[int] = ..., stream_clients: _Optional[int] = ..., server_version: _Optional[str] = ..., node_managed: _Optional[bool] = ..., recorder_trouble: _Optional[str] = ..., topics: _Optional[_Iterable[_Union[TopicFreshness, _Mapping]]] = ..., clock_offset_s: _Optional[float] = ..., bus_notice: _Optional[str] = ..., set_aside: _Optional[int] = ...) -> None: ...
+
+class TopicFreshness(_message.Message):
+    __slots__ = ("topic", "age_s", "fresh_for_s", "late")
+    TOPIC_FIELD_NUMBER: _ClassVar[int]
+    AGE_S_FIELD_NUMBER: _ClassVar[int]
+    FRESH_FOR_S_FIELD_NUMBER: _ClassVar[int]
+    LATE_FIELD_NUMBER: _ClassVar[int]
+    topic: str
+    age_s: float
+    fresh_for_s: float
+    late: bool
+    def __init__(self, topic: _Optional[str] = ..., age_s: _Optional[float] = ..., fresh_for_s: _Optional[float] = ..., late: _Optional[bool] = ...) -> None: ...
