@@ -5,6 +5,7 @@ import { age, bytes } from "../lib/format";
 import { setTheme, theme } from "../lib/theme";
 import { type LinkLook, link } from "../stream/link";
 import { draft } from "../weights/draft";
+import { href } from "./address";
 import { view } from "./views";
 import "./header.css";
 import { live } from "../stream/store";
@@ -14,7 +15,7 @@ export function Header() {
   const badge = draft.changedPaths.value.length;
   return (
     <header class="topbar">
-      <a class="brand" href="#live" aria-label="Bumpless, live view">
+      <a class="brand" href={href("live")} aria-label="Bumpless, live view">
         <Logo />
         <span>Bumpless</span>
       </a>
@@ -22,7 +23,7 @@ export function Header() {
         {VIEWS.map(({ id, name, about }) => (
           <a
             key={id}
-            href={`#${id}`}
+            href={href(id)}
             class="tab"
             title={about}
             aria-current={view.value === id ? "page" : undefined}

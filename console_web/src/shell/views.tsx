@@ -1,10 +1,11 @@
 // The views by the server's table, each loaded when it is first opened. To add one: a line in the server's
 // table, a line here, and its component.
-import { signal } from "@preact/signals";
+import { computed, effect, signal } from "@preact/signals";
 import type { ComponentType } from "preact";
 import { VIEWS } from "../gen/house";
 import { Main } from "../ui/main";
 import { Empty, Panel } from "../ui/panel";
+import { address } from "./address";
 
 export type ViewId = (typeof VIEWS)[number]["id"];
 type View = ComponentType<{ hidden: boolean }>;
@@ -21,13 +22,8 @@ const KEPT: ViewId = "live";
 const loaded = signal<Partial<Record<ViewId, View>>>({});
 const failed = signal<ViewId | undefined>(undefined);
 
-function viewOfAddress(): ViewId {
-  const wanted = location.hash.slice(1).split("/")[0];
-  return VIEWS.find(({ id }) => id === wanted)?.id ?? "live";
-}
-
-/** The view that the address names after "#". */
-export const view = signal<ViewId>(viewOfAddress());
+/** The view that the address names. */
+export const view = computed<ViewId>(() => VIEWS.find(({ id }) => id === address.value.view)?.id ?? "live");
 
 async function load(id: ViewId): Promise<void> {
   if (loaded.peek()[id]) return;
@@ -40,11 +36,7 @@ async function load(id: ViewId): Promise<void> {
   }
 }
 
-void load(view.peek());
-addEventListener("hashchange", () => {
-  view.value = viewOfAddress();
-  void load(view.peek());
-});
+effect(() => void load(view.value));
 
 export function Views() {
   const here = view.value;
