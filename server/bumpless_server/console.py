@@ -16,6 +16,8 @@ from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.version import software_version
 from bumpless.runs.names import COMPLETE
 from bumpless.runs.view import View
+from bumpless_server.alarms.limits import read_limits
+from bumpless_server.alarms.watch import Watch
 from bumpless_server.data_dir import DataDir
 from bumpless_server.live.bus import Bus, NoAnswer
 from bumpless_server.live.dispatch import Dispatcher
@@ -63,6 +65,11 @@ class Console:
                 *([self._prune] if settings.runs_prune else []),
             ),
         )
+        self.alarms = Watch(
+            lambda: read_limits(self.data.limits / f"{settings.vehicle_id}.toml"),
+            self.data.alarms,
+            self._tell,
+        )
         self.stream = Stream(self.state)
         self.dispatcher = Dispatcher(self.state, self.status, self._on_link)
         self.bus = Bus(
@@ -95,6 +102,9 @@ class Console:
             stack.callback(self.recorder.stop)
             self.dispatcher.start()
             stack.callback(self.dispatcher.stop)
+            self.state.subscribe(self.alarms.offer)
+            self.alarms.start()
+            stack.callback(self.alarms.stop)
             self.bus.open()
             stack.callback(self.bus.close)
             indexing = threading.Thread(target=self._index, name="catalogue", daemon=True)
@@ -161,6 +171,9 @@ class Console:
         )
         payload = event.SerializeToString()
         self.dispatcher.sample(Sample(EVENT, event.DESCRIPTOR.full_name, payload, from_vehicle=False))
+
+    def _tell(self, sample: Sample) -> None:
+        self.dispatcher.sample(sample)
 
     def _on_link(self, link: pb.LinkState) -> None:
         log.info("link to %s: %s", self.state.vehicle_id, pb.LinkState.Name(link).removeprefix("LINK_STATE_"))

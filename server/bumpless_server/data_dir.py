@@ -12,13 +12,15 @@ class DataDirError(RuntimeError):
 
 
 class DataDir:
-    """data_dir/{runs,missions,presets}, index.sqlite, node.json, node.log, secret and a lock."""
+    """data_dir/{runs,missions,presets,limits}, alarms.json, index.sqlite, node.json, node.log, secret and a lock."""
 
     def __init__(self, root: Path) -> None:
         self.root = root
         self.runs = root / "runs"
         self.missions = root / "missions"
         self.presets = root / "presets"
+        self.limits = root / "limits"
+        self.alarms = root / "alarms.json"
         self.index = root / "index.sqlite"
         self.node_record = root / "node.json"
         self.node_log = root / "node.log"
@@ -27,7 +29,7 @@ class DataDir:
     def open(self) -> None:
         """Make the folders and take the lock. Raises DataDirError."""
         try:
-            for folder in (self.runs, self.missions, self.presets):
+            for folder in (self.runs, self.missions, self.presets, self.limits):
                 folder.mkdir(parents=True, exist_ok=True)
             lock = (self.root / "lock").open("w")
         except OSError as error:

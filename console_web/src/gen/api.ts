@@ -4,6 +4,66 @@
  */
 
 export interface paths {
+    "/api/alarms": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Alarms
+         * @description All alarms.
+         */
+        get: operations["alarms_api_alarms_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/alarms/{alarm}/acknowledge": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Acknowledge
+         * @description Somebody has seen it. One whose cause has gone is over with that.
+         */
+        post: operations["acknowledge_api_alarms__alarm__acknowledge_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/alarms/{alarm}/shelve": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Shelve
+         * @description Keep it out of the way for a time; it comes back by itself.
+         */
+        post: operations["shelve_api_alarms__alarm__shelve_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/events": {
         parameters: {
             query?: never;
@@ -409,6 +469,98 @@ export interface components {
             unit: string;
         };
         /**
+         * Alarm
+         * @description One alarm, from its cause to the person who saw it.
+         */
+        Alarm: {
+            /**
+             * Acknowledged By
+             * @default
+             */
+            acknowledged_by: string;
+            /**
+             * Acknowledged Ns
+             * @default 0
+             */
+            acknowledged_ns: string;
+            /**
+             * Code
+             * @default
+             */
+            code: string;
+            /**
+             * Count
+             * @default 0
+             */
+            count: number;
+            /** Details */
+            details: {
+                [key: string]: string;
+            };
+            /**
+             * Id
+             * @default
+             */
+            id: string;
+            /**
+             * Raised Ns
+             * @default 0
+             */
+            raised_ns: string;
+            /**
+             * Returned Ns
+             * @default 0
+             */
+            returned_ns: string;
+            /**
+             * Severity
+             * @default SEVERITY_UNSPECIFIED
+             * @enum {string}
+             */
+            severity: "SEVERITY_UNSPECIFIED" | "SEVERITY_INFO" | "SEVERITY_WARNING" | "SEVERITY_ALARM";
+            /**
+             * Shelved Until Ns
+             * @default 0
+             */
+            shelved_until_ns: string;
+            /**
+             * Text
+             * @default
+             */
+            text: string;
+        };
+        /**
+         * AlarmsAnswer
+         * @description Those not over, worst first, and those that are, newest first.
+         */
+        AlarmsAnswer: {
+            /** History */
+            history: components["schemas"]["Alarm"][];
+            /** Open */
+            open: components["schemas"]["Alarm"][];
+        };
+        /** Body_acknowledge_api_alarms__alarm__acknowledge_post */
+        Body_acknowledge_api_alarms__alarm__acknowledge_post: {
+            /**
+             * By
+             * @default operator
+             */
+            by?: string;
+        };
+        /** Body_shelve_api_alarms__alarm__shelve_post */
+        Body_shelve_api_alarms__alarm__shelve_post: {
+            /**
+             * By
+             * @default operator
+             */
+            by?: string;
+            /**
+             * Seconds
+             * @default 600
+             */
+            seconds?: number;
+        };
+        /**
          * BumplessParameters
          * @description bumpless.BumplessParameters as JSON.
          */
@@ -431,7 +583,7 @@ export interface components {
         };
         /**
          * CameraAnswer
-         * @description How many of the caller's browsers moved.
+         * @description How many of the caller's tabs moved.
          */
         CameraAnswer: {
             /**
@@ -447,6 +599,11 @@ export interface components {
          * @description Which preset the caller's own cameras take.
          */
         CameraRequest: {
+            /**
+             * Tab
+             * @default
+             */
+            tab?: string;
             /**
              * View
              * @enum {string}
@@ -773,6 +930,11 @@ export interface components {
              * @default
              */
             end_reason: string;
+            /**
+             * Held S
+             * @default 0
+             */
+            held_s: number | null;
             /**
              * Mission Name
              * @default
@@ -1470,6 +1632,101 @@ export interface components {
 }
 export type $defs = Record<string, never>;
 export interface operations {
+    alarms_api_alarms_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["AlarmsAnswer"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    acknowledge_api_alarms__alarm__acknowledge_post: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                alarm: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: {
+            content: {
+                "application/json": components["schemas"]["Body_acknowledge_api_alarms__alarm__acknowledge_post"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    shelve_api_alarms__alarm__shelve_post: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                alarm: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: {
+            content: {
+                "application/json": components["schemas"]["Body_shelve_api_alarms__alarm__shelve_post"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
     events_api_events_get: {
         parameters: {
             query?: {

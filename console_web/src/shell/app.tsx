@@ -1,6 +1,7 @@
 // The page: top line, command line, banner, and the view that the address names.
 import { SkipLink } from "../ui/main";
 import "./app.css";
+import { AlarmBar } from "../alarms/alarm_bar";
 import { Banner } from "./banner";
 import { CommandBar } from "./command_bar";
 import { Header } from "./header";
@@ -13,6 +14,7 @@ export function App() {
       <Header />
       <CommandBar />
       <Banner />
+      <AlarmBar />
       <Views />
     </div>
   );

@@ -3,6 +3,7 @@
 import { HELP, VIEWS } from "../gen/house";
 import { age, bytes } from "../lib/format";
 import { setTheme, theme } from "../lib/theme";
+import { setZone, timeOfDay, zone, zoneName } from "../lib/zone";
 import { type LinkLook, link } from "../stream/link";
 import { draft } from "../weights/draft";
 import { href } from "./address";
@@ -42,6 +43,7 @@ export function Header() {
       </nav>
       <span class="grow" />
       <Vehicle />
+      <Clock />
       <Recording />
       <ThemeButton />
     </header>
@@ -124,6 +126,23 @@ function Recording() {
       )}
       {lost > 0 && <span class="lost"> {lost} dropped</span>}
     </span>
+  );
+}
+
+/** The time, always with its zone; a click changes the zone everywhere. */
+function Clock() {
+  void live.now.value;
+  const now = new Date();
+  const next = zone.value === "UTC" ? "local" : "UTC";
+  return (
+    <button
+      type="button"
+      class="quiet num clock"
+      title={`Show ${next === "UTC" ? "UTC" : "local time"} everywhere`}
+      onClick={() => setZone(next)}
+    >
+      {timeOfDay(now)} {zoneName(now)}
+    </button>
   );
 }
 

@@ -3,7 +3,7 @@
 from bumpless.contract.keys import TOPICS
 from bumpless_server.live.dispatch import STATUS_PERIOD_S
 from bumpless_server.live.link import STALE_AFTER_S
-from bumpless_server.live.sample import STATUS
+from bumpless_server.live.sample import ALARMS, STATUS
 
 PATIENCE_PERIODS = 2.5  # of a topic that is slower than the control cycle
 
@@ -14,4 +14,4 @@ def fresh_for_s() -> dict[str, float]:
         f"tlm/{topic.name}": STALE_AFTER_S if topic.rate_hz is None else PATIENCE_PERIODS / topic.rate_hz
         for topic in TOPICS.values()
     }
-    return fresh | {STATUS: PATIENCE_PERIODS * STATUS_PERIOD_S}
+    return fresh | {STATUS: PATIENCE_PERIODS * STATUS_PERIOD_S, ALARMS: 1e9}  # alarms come when they change
