@@ -29,6 +29,7 @@ from bumpless_server.plan.presets import Presets
 from bumpless_server.runs.catalogue import Catalogue
 from bumpless_server.runs.disk_budget import DiskBudget
 from bumpless_server.runs.recorder import Recorder
+from bumpless_server.runs.replays import Replays
 from bumpless_server.settings import Settings
 from bumpless_server.vehicle_process.node_command import node_command
 from bumpless_server.vehicle_process.supervise import Supervisor
@@ -51,6 +52,7 @@ class Console:
         self.missions = Missions(self.data.missions, vehicle=self.vehicle)
         self.presets = Presets(self.data.presets)
         self.catalogue = Catalogue(self.data.runs, self.data.index)
+        self.replays = Replays()
         self.recorder = Recorder(
             self.data.runs,
             self.say,
@@ -97,6 +99,7 @@ class Console:
             stack.callback(self.data.close)
             self.catalogue.open()
             stack.callback(self.catalogue.close)
+            stack.callback(self.replays.close)
             self.state.subscribe(self.recorder.offer)
             self.recorder.start()
             stack.callback(self.recorder.stop)

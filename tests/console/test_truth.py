@@ -20,7 +20,9 @@ MODE_OF_PHASE = {
 }
 
 
-def at(time_s: float, phase: "pb.MissionPhase", flown: "pb.Mode" = pb.MODE_UNSPECIFIED, **said: object) -> list:
+def at(
+    time_s: float, phase: "pb.MissionPhase", flown: "pb.Mode" = pb.MODE_UNSPECIFIED, **said: object
+) -> list:
     """A frame in that phase; `said`: fields of Supervisor; a screw still turns after an abort."""
     frame = dict(flight.cycle(time_s, phase))
     supervisor = frame["tlm/supervisor"]
@@ -51,7 +53,9 @@ def test_while_an_actuator_may_move_abort_is_there_and_the_mode_is_named(
     expect(panel.locator(".mode-badge")).to_have_text(MODE_OF_PHASE[phase])
     abort = console.get_by_role("button", name="Hold to abort")
     expect(abort).to_be_enabled()
-    expect(abort).to_have_attribute("title", re.compile("stops all actuators. The vehicle then drifts, and rises"))
+    expect(abort).to_have_attribute(
+        "title", re.compile("stops all actuators. The vehicle then drifts, and rises")
+    )
     if phase == COMPLETED:
         expect(console.get_by_text("Holding station", exact=True)).to_be_visible()
         expect(panel).to_contain_text("mission over; holding station")

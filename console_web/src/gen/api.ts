@@ -328,6 +328,48 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/runs/{run}/at": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * At
+         * @description What was known at mission time `t`, s: one StreamFrame with the last message of each topic.
+         */
+        get: operations["at_api_runs__run__at_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/runs/{run}/frames": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Frames
+         * @description The cycles of a range as StreamFrames, each behind its length (32 bit, little endian).
+         *
+         *     Where there are more than `most`, cycles are left out evenly.
+         */
+        get: operations["frames_api_runs__run__frames_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/runs/{run}/log.mcap": {
         parameters: {
             query?: never;
@@ -360,6 +402,26 @@ export interface paths {
          * @description The run's bumpless.Metrics.
          */
         get: operations["metrics_api_runs__run__metrics_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/runs/{run}/replay": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Replay
+         * @description How long the run is and what happened in it.
+         */
+        get: operations["replay_api_runs__run__replay_get"];
         put?: never;
         post?: never;
         delete?: never;
@@ -1271,6 +1333,22 @@ export interface components {
             [key: string]: unknown;
         };
         /**
+         * ReplayAnswer
+         * @description How long it is, and what happened in it. Times are mission times, s.
+         */
+        ReplayAnswer: {
+            /** Cycles */
+            cycles: number;
+            /** Events */
+            events: components["schemas"]["RunEvent"][];
+            /** First S */
+            first_s: number | null;
+            /** Last S */
+            last_s: number | null;
+            /** Run */
+            run: string;
+        };
+        /**
          * RunAnswer
          * @description A run in the list; of one being recorded, how far it is.
          */
@@ -1309,6 +1387,33 @@ export interface components {
             state: "recording" | "complete" | "interrupted";
             /** Vehicle */
             vehicle: string;
+        };
+        /**
+         * RunEvent
+         * @description One event of a run.
+         */
+        RunEvent: {
+            /**
+             * Code
+             * @default
+             */
+            code: string;
+            /** Details */
+            details: {
+                [key: string]: string;
+            };
+            /**
+             * Severity
+             * @default SEVERITY_UNSPECIFIED
+             * @enum {string}
+             */
+            severity: "SEVERITY_UNSPECIFIED" | "SEVERITY_INFO" | "SEVERITY_WARNING" | "SEVERITY_ALARM";
+            stamp: components["schemas"]["Stamp"] | null;
+            /**
+             * Text
+             * @default
+             */
+            text: string;
         };
         /**
          * Schema
@@ -2270,6 +2375,74 @@ export interface operations {
             };
         };
     };
+    at_api_runs__run__at_get: {
+        parameters: {
+            query: {
+                t: number;
+            };
+            header?: never;
+            path: {
+                run: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/octet-stream": unknown;
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    frames_api_runs__run__frames_get: {
+        parameters: {
+            query: {
+                from_s: number;
+                to_s: number;
+                most?: number;
+            };
+            header?: never;
+            path: {
+                run: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/octet-stream": unknown;
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
     download_api_runs__run__log_mcap_get: {
         parameters: {
             query?: never;
@@ -2319,6 +2492,37 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["Metrics"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    replay_api_runs__run__replay_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                run: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ReplayAnswer"];
                 };
             };
             /** @description Refused, with the reason */

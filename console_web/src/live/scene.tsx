@@ -21,7 +21,7 @@ const TAB = [...crypto.getRandomValues(new Uint8Array(6))]
   .join("");
 type Camera = (typeof CAMERAS)[number]["value"];
 
-export function Scene() {
+export function Scene({ hidden }: { hidden: boolean }) {
   const camera = useSignal<Camera>("follow");
   const refused = useSignal<Refusal | undefined>(undefined);
   const choose = async (view: Camera): Promise<void> => {
@@ -30,7 +30,7 @@ export function Scene() {
     if (answer.ok) camera.value = view;
   };
   return (
-    <section class="panel scene" aria-label="3-D scene">
+    <section class="panel scene" aria-label="3-D scene" hidden={hidden}>
       <header class="panel-head">
         <h2>Scene</h2>
         <span class="unit">NED</span>

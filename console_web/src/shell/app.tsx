@@ -1,4 +1,6 @@
 // The page: top line, command line, banner, and the view that the address names.
+import { replay } from "../replay/current";
+import { ReplayBar } from "../replay/replay_bar";
 import { SkipLink } from "../ui/main";
 import "./app.css";
 import { AlarmBar } from "../alarms/alarm_bar";
@@ -15,6 +17,7 @@ export function App() {
       <CommandBar />
       <Banner />
       <AlarmBar />
+      {replay.value && <ReplayBar replay={replay.value} />}
       <Views />
     </div>
   );

@@ -3,6 +3,7 @@
 import { computed, effect, signal } from "@preact/signals";
 import type { ComponentType } from "preact";
 import { VIEWS } from "../gen/house";
+import { replayed } from "../replay/current";
 import { Main } from "../ui/main";
 import { Empty, Panel } from "../ui/panel";
 import { address } from "./address";
@@ -24,6 +25,8 @@ const failed = signal<ViewId | undefined>(undefined);
 
 /** The view that the address names. */
 export const view = computed<ViewId>(() => VIEWS.find(({ id }) => id === address.value.view)?.id ?? "live");
+/** The one that shows it: a run is seen again in the Live view. */
+const shown = computed<ViewId>(() => (replayed.value ? "live" : view.value));
 
 async function load(id: ViewId): Promise<void> {
   if (loaded.peek()[id]) return;
@@ -36,10 +39,16 @@ async function load(id: ViewId): Promise<void> {
   }
 }
 
-effect(() => void load(view.value));
+effect(() => void load(shown.value));
+
+effect(() => {
+  const name = replayed.value ? "Replay" : VIEWS.find(({ id }) => id === view.value)?.name;
+  const of = address.value.id && ` of ${address.value.id}`;
+  document.title = `${name}${of} · Bumpless`;
+});
 
 export function Views() {
-  const here = view.value;
+  const here = shown.value;
   const open = VIEWS.filter(({ id }) => id === here || id === KEPT);
   return (
     <>

@@ -15,7 +15,11 @@ WARNING, ALARM = pb.SEVERITY_WARNING, pb.SEVERITY_ALARM
 # a warning's event that a person must know of, by code; all alarms are
 LATCHED = ("fault_detected", "target_lost", "waved_off", "docking_ended", "node_elsewhere")
 # the event that ends another's cause; without one an event is over as soon as it has happened
-ENDED_BY = {"fault_cleared": "fault_detected", "target_found": "target_lost", "recording_again": "recorder_failed"}
+ENDED_BY = {
+    "fault_cleared": "fault_detected",
+    "target_found": "target_lost",
+    "recording_again": "recorder_failed",
+}
 LASTING = frozenset({*ENDED_BY.values(), "link_lost"})
 
 # (code, None when the cause has gone else (severity, text))
@@ -91,7 +95,9 @@ class Conditions:
         off_s = (nav.stamp.time_ns - receive_ns) * 1e-9
         if abs(off_s) > self._limits.clock_s:
             way = "ahead of" if off_s > 0 else "behind"
-            text = f"The vehicle's clock is {_long(abs(off_s))} {way} the server's: times of its runs are wrong."
+            text = (
+                f"The vehicle's clock is {_long(abs(off_s))} {way} the server's: times of its runs are wrong."
+            )
             yield "clock_offset", (WARNING, text)
         else:
             yield "clock_offset", None
@@ -109,7 +115,9 @@ class Conditions:
             self._tracking.reset()
             self._saturated.clear()
             return
-        parts = [self._last.get(f"tlm/{name}") for name in ("navigation", "guidance", "supervisor", "control")]
+        parts = [
+            self._last.get(f"tlm/{name}") for name in ("navigation", "guidance", "supervisor", "control")
+        ]
         if any(part is None for part in parts):
             return
         lasting = {off.name: off for off in self._tracking.cycle(*cast("list", parts), actuators)}

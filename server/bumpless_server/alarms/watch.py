@@ -20,7 +20,15 @@ WATCHED = frozenset(
     {"event", "server/status"}
     | {
         f"tlm/{topic}"
-        for topic in ("description", "parameters", "navigation", "guidance", "supervisor", "control", "actuators")
+        for topic in (
+            "description",
+            "parameters",
+            "navigation",
+            "guidance",
+            "supervisor",
+            "control",
+            "actuators",
+        )
     }
 )
 
@@ -31,7 +39,10 @@ class Watch:
     def __init__(self, limits: Callable[[], Limits], path: Path, feed: Callable[[Sample], None]) -> None:
         self._limits, self._path, self._feed = limits, path, feed
         self._queue: BoundedQueue[Sample] = BoundedQueue(
-            4000, 16_000_000, size=lambda sample: len(sample.payload), keep=lambda sample: sample.topic == "event"
+            4000,
+            16_000_000,
+            size=lambda sample: len(sample.payload),
+            keep=lambda sample: sample.topic == "event",
         )
         self._worker = Worker("alarms", self._queue, self._handle, self._on_time, lambda: None)
         self._lock = threading.Lock()

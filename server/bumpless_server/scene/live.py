@@ -42,7 +42,10 @@ class Recorder:
             return
         self._seen = navigation
         supervisor: Any = self._state.latest("supervisor") or pb.Supervisor()
-        self.track.add(pose.vector(navigation.position_ned_m), trail_mode(mission.phase, flown_mode(mission.phase, supervisor)))
+        self.track.add(
+            pose.vector(navigation.position_ned_m),
+            trail_mode(mission.phase, flown_mode(mission.phase, supervisor)),
+        )
 
 
 class Live(threading.Thread):

@@ -14,11 +14,24 @@ from bumpless_server.web import errors
 from bumpless_server.web.auth import Auth, session_cookie
 from bumpless_server.web.body_limit import BodyLimit
 from bumpless_server.web.guard import Guard
-from bumpless_server.web.routes import alarms, declared, help, missions, page, parameters, runs, status, stream
+from bumpless_server.web.routes import (
+    alarms,
+    declared,
+    help,
+    missions,
+    page,
+    parameters,
+    replay,
+    runs,
+    status,
+    stream,
+)
 
 log = logging.getLogger(__name__)
 
-ROUTERS = tuple(part.router for part in (status, alarms, missions, parameters, declared, runs, stream))
+ROUTERS = tuple(
+    part.router for part in (status, alarms, missions, parameters, declared, replay, runs, stream)
+)
 
 
 def create_app(settings: Settings, console: Console | None = None) -> FastAPI:

@@ -79,7 +79,10 @@ def test_a_depth_beside_its_reference_is_told_with_its_likely_cause() -> None:
 
 def test_a_demand_that_is_not_met_is_named_and_so_is_one_that_does_not_suffice() -> None:
     """Protects the operator's next step: more thrust, or another gain."""
-    for z, words in (((2.0, 1.2), "Z demand 2.00 N, 1.20 N of it achieved"), ((0.3, 0.3), "does not suffice")):
+    for z, words in (
+        ((2.0, 1.2), "Z demand 2.00 N, 1.20 N of it achieved"),
+        ((0.3, 0.3), "does not suffice"),
+    ):
         heard = Heard(Limits(after_switch_s=0.0, for_s=1.0))
         for t in seconds(0.0, 2.0):
             heard(*cycle(t, depth=3.5, z=z))

@@ -169,7 +169,9 @@ class Twin:
         """Stop every actuator as fast as its bounds allow; also of a vehicle that holds after its mission."""
         over = self.phase == COMPLETED
         self._orders["phase"] = ABORTED
-        code, what = ("actuators_stopped", "Actuators stopped") if over else ("mission_aborted", "Mission aborted")
+        code, what = (
+            ("actuators_stopped", "Actuators stopped") if over else ("mission_aborted", "Mission aborted")
+        )
         self.events.add(code, f"{what}: {reason}.", {"reason": reason}, WARNING)
 
     def set_parameters(self, parameters: Parameters) -> None:

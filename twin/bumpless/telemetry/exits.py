@@ -57,7 +57,11 @@ def _docking(row: np.void, context: "Context") -> Iterator[tuple[int, str, list[
     aside = abs(float(row["cross_track"]))
     if mode == FORWARD:
         cone = p.cone_base_m + p.cone_slope * max(left, 0.0)
-        guards = [_seen(row, context), _within("way to go", left, s.range_fr_lower_m), _within("aside", aside, cone)]
+        guards = [
+            _seen(row, context),
+            _within("way to go", left, s.range_fr_lower_m),
+            _within("aside", aside, cone),
+        ]
         yield REVERSE, "brake", guards
     elif mode == REVERSE:
         yield HOVER, "hover", [_within("way to go", left, s.range_rh_lower_m), *_gate(row, context)]
