@@ -202,7 +202,7 @@ class ContractServer:
             routes=[
                 WebSocketRoute("/api/stream", self._stream),
                 Route("/api/{path:path}", self._answer, methods=["GET", "POST", "PUT", "DELETE"]),
-                Route("/scene/", scene),
+                Route("/scene/{tab}/", scene),
                 Route("/", page),
                 Mount("/", StaticFiles(directory=self.console)),
             ]

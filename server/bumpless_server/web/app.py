@@ -16,6 +16,7 @@ from bumpless_server.web.body_limit import BodyLimit
 from bumpless_server.web.guard import Guard
 from bumpless_server.web.guesses import Guesses
 from bumpless_server.web.routes import (
+    alarms,
     declared,
     diagnostics,
     exchange,
@@ -27,6 +28,7 @@ from bumpless_server.web.routes import (
     page,
     parameters,
     planning,
+    replay,
     runs,
     status,
     stream,
@@ -39,6 +41,7 @@ ROUTERS = tuple(
     for part in (
         status,
         diagnostics,
+        alarms,
         missions,
         findings,
         exchange,
@@ -46,6 +49,7 @@ ROUTERS = tuple(
         planning,
         parameters,
         declared,
+        replay,
         runs,
         stream,
         foresight,
