@@ -62,7 +62,7 @@ def fly_number(prepared: Prepared, number: int, hangar: Hangar) -> Row:
     twin = hangar.twin(setup.vehicle, setup.parameters, values)
     vehicle = twin.vehicle
     twin.start(mission, seed, setup.parameters, Alteration.of(values))
-    log = _flown(twin, hangar.log(twin.cycles))
+    log = flown(twin, hangar.log(twin.cycles))
     twin.drain_events()
     columns = Columns.from_log(log, len(vehicle.commands)).as_told([c.unit for c in vehicle.commands])
     limits = prepared.campaign.docked.limits
@@ -82,7 +82,7 @@ def fly_number(prepared: Prepared, number: int, hangar: Hangar) -> Row:
     }
 
 
-def _flown(twin: Twin, log: np.ndarray) -> np.ndarray:
+def flown(twin: Twin, log: np.ndarray) -> np.ndarray:
     """The rows of the flight that begins now, to its end."""
     begun, filled = twin.phase, 0
     while filled < len(log) and twin.phase == begun:

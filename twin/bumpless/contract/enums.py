@@ -9,6 +9,7 @@ MODES = (FORWARD, REVERSE, HOVER)
 IDLE, RUNNING, PAUSED, COMPLETED, ABORTED = 1, 2, 3, 4, 5  # MissionPhase
 FLYING = (RUNNING, PAUSED)  # a mission is being flown
 ENDED = (COMPLETED, ABORTED)
+MOVING = (RUNNING, PAUSED, COMPLETED)  # an actuator may move: after its mission a vehicle holds station
 
 # SolveStatus, of a QP as of a cycle's allocation: optimal within tolerance; feasible, but not shown to be
 # optimal; bounds contradict each other, the nearest point is held; the chosen solver failed, the built-in

@@ -148,7 +148,8 @@ class RunWriter:
         message: Message | None,
         listen: bool = True,
     ) -> None:
-        self._end_ns = max(self._end_ns, log_ns)
+        # a log's times go one way, whatever a clock does meanwhile
+        log_ns = self._end_ns = max(self._end_ns, log_ns)
         self._file.message(topic, schema, MESSAGES.get(schema), payload, log_ns, publish_ns)
         for name, seen in self._views.see(schema, payload, message):
             kind = type(seen)

@@ -14,6 +14,7 @@ from bumpless.config.capacity import MAX_FAULTS, MAX_WAYPOINTS
 from bumpless.config.declare import Choice, Entries, Number, Overrides, Part, Row, Text, model
 from bumpless.config.mission.dock import Dock, Motion
 from bumpless.config.mission.notes import Vector3, direction, moment, position
+from bumpless.config.mission.origin import Origin
 from bumpless.config.mission.sea import Environment
 from bumpless.config.mission.sensing import Sensors
 from bumpless.config.mission.trim import Trim
@@ -161,6 +162,9 @@ class Document:
     ] = field(default_factory=dict[str, Any])
     end: Annotated[End, Part("Early end")] = End()
     trim: Annotated[Trim | None, Part("Ballast and buoyancy of the simulated vehicle")] = None
+    origin: Annotated[
+        Origin | None, Part("Where the local frame lies on the earth", help="For charts and other programs.")
+    ] = None
 
 
 @model
