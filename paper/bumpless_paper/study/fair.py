@@ -1,12 +1,14 @@
 """Allocator by ramp, each flown with the gains that are best for it.
 
 All rows fly the campaign `CAMPAIGN`: docking into a current, on vehicles whose fins, screws and sensors the
-autopilot does not know. `python -m bumpless_paper.study.fair` searches the gains of every row with that
-campaign's `tune`: the same parameters, bounds, flights, trials and score. It writes `FOUND`. `judge` flies
-them on flights that no search has seen.
+autopilot does not know. `python -m bumpless_paper.study.fair [ROW ...]` searches the gains of every row with
+that campaign's `tune`: the same parameters, bounds, flights, trials and score. It writes `FOUND`. `judge`
+flies them on flights that no search has seen.
 """
 
 import json
+import os
+import sys
 import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -147,15 +149,15 @@ def _median(values: Sequence[float]) -> float | None:
     return float(np.median(known)) if len(known) else None
 
 
-def main(workers: int = 2) -> None:
-    """Search all rows and write what was found."""
-    rows = {}
-    for name, variant in ROWS.items():
-        rows[name] = search(name, workers)
-        print(variant.title, json.dumps(rows[name]), flush=True)
-    about = {"campaign": CAMPAIGN, "rows": rows}
-    FOUND.write_text(json.dumps(about, indent=1) + "\n", encoding="utf-8")
+def main(names: Sequence[str]) -> None:
+    """Search these rows, all when none is named, and write what was found."""
+    rows = found() if FOUND.exists() else {}
+    for name in names or ROWS:
+        rows[name] = search(name, os.cpu_count() or 1)
+        about = {"campaign": CAMPAIGN, "rows": {key: rows[key] for key in ROWS if key in rows}}
+        FOUND.write_text(json.dumps(about, indent=1) + "\n", encoding="utf-8")
+        print(ROWS[name].title, rows[name]["before"], rows[name]["after"], flush=True)
 
 
 if __name__ == "__main__":
-    main()
+    main(sys.argv[1:])
