@@ -45,6 +45,10 @@ def plan_of(mission: Mission, vehicle: Vehicle) -> np.ndarray:
     p["heading_tolerance"] = radians(turn_used_deg(target, vehicle))
     p["dock_turns"], p["nose"] = target.turns, ends_of(vehicle)[0]
     p["dock_half"], p["dock_radius"] = 0.5 * target.dock_width_m, target.dock_radius_m
+    if target.dock:
+        dock = target.dock
+        p["dock"], p["dock_entry"] = 1, dock.entry_before_marker_m
+        p["dock_depth"], p["dock_end"] = dock.capture_depth_m, dock.length_m
     p["cycles"] = round(mission.duration_s / period_s)
     hold_s = mission.end.hover_hold_s
     p["hold_cycles"] = 0 if hold_s is None else max(1, round(hold_s / period_s))

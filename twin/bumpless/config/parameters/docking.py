@@ -127,6 +127,21 @@ class DockingParameters:
     hover_heading_deg: Annotated[
         float, Number("Heading error in H that is not waited out", "deg", 0.1, 90.0, record="hover_heading")
     ] = 4.5
+    # into a dock that can be entered
+    creep_after_s: Annotated[
+        float, spell("Stay at the observation point before the dock is entered", "creep_after")
+    ] = 5.0
+    creep_speed_mps: Annotated[float, pace("Speed into the dock", "creep_speed", help="Over ground.")] = 0.1
+    creep_lateral_m: Annotated[
+        float, way("Offset from the axis before the entry", "creep_lateral", 10.0, "More waves off.")
+    ] = 0.2
+    creep_heading_deg: Annotated[
+        float, Number("Heading error before the entry", "deg", 0.1, 90.0, record="creep_heading")
+    ] = 8.0
+    creep_depth_m: Annotated[float, way("Depth error before the entry", "creep_depth", 10.0)] = 0.2
+    creep_time_s: Annotated[
+        float, spell("Time allowed from the observation point to the capture", "creep_time")
+    ] = 90.0
     # wave-off
     lost_far_s: Annotated[float, spell("Time without the target before the gate", "lost_far")] = 5.0
     lost_near_s: Annotated[

@@ -23,6 +23,7 @@ DOCKING_STATE = np.dtype(
         ),  # side on which a dock beside a leg is passed: 1 to starboard, -1 to port; 0: none is
         ("cleared", i8),  # 1: the gate is passed
         ("gate_cycles", i8),  # spent waiting: at the gate, in H outside its limits, at the hold point
+        ("still", i8),  # cycles in a row in place at the observation point, before a dock to enter
         ("back_to", f8),  # distance before the observation point where a way back ends, m
         ("drift", f8),  # sideways drift learnt beside the estimated current, m/s
         ("lateral_rate", f8),  # speed over ground across the approach line, to starboard, smoothed, m/s

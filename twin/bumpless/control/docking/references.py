@@ -5,7 +5,8 @@ Beyond the paper. reference (6,) = [u_d v_d z_d phi_d theta_d psi_d], m/s, m and
 
 from math import asin, atan, cos, sin
 
-from bumpless.contract.enums import ENTRY, TRANSIT
+from bumpless.contract.enums import CREEP, ENTRY, TRANSIT
+from bumpless.control.docking.creep import creep_references
 from bumpless.control.docking.entry import clear_leg, entry_references
 from bumpless.control.docking.line import line_references
 from bumpless.control.guidance.guide import approach
@@ -106,6 +107,8 @@ def guide_docking(dt, settings, plan, s, situation, view, out):
         out.cross_track, out.along_track = view.aside, view.left
         if stage == ENTRY:
             goals = entry_references(settings.docking, plan, navigation, situation.station, docking)
+        elif stage == CREEP:
+            goals = creep_references(dt, settings.docking, plan, navigation, reference[0], view, docking)
         else:
             goals = line_references(
                 dt, settings.docking, law.reverse_max, plan, navigation, situation.mode, reference[0], view,

@@ -13,6 +13,7 @@ from math import hypot
 from bumpless.contract.enums import (
     APPROACH,
     BACK,
+    CREEP,
     CURRENT,
     ENTRY,
     FORWARD,
@@ -189,7 +190,7 @@ def next_stage(clock, dt, settings, supervisor, plan, navigation, leg, mode, poi
         mode = approach_near(cycle, dt, settings, supervisor, mode, view, docking)
     elif docking.stage == BACK:
         mode = on_way_back(cycle, dt, settings, plan, navigation, point, view, docking)
-    else:
+    elif docking.stage != CREEP:
         mode = HOVER
     observation_point(navigation.target, docking.heading, plan.standoff, point)
     place_on_line(navigation.eta, point, docking.heading, view)
