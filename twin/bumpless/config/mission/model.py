@@ -94,8 +94,10 @@ class Target:
 
     @property
     def dock_radius_m(self) -> float:
-        """Of the circle about the target that holds the dock."""
-        return math.hypot(0.5 * self.dock_width_m, self.dock_length_m)
+        """Of the circle about the target that holds the dock, its funnel too."""
+        body = math.hypot(0.5 * self.dock_width_m, self.dock_length_m)
+        funnel = math.hypot(self.dock.entry_before_marker_m, self.dock.entry_radius_m) if self.dock else 0.0
+        return max(body, funnel)
 
     dock: Annotated[Dock | None, Part("Dock to enter, behind the observation point")] = None
     motion: Annotated[Motion | None, Part("Motion of a hung dock")] = None
