@@ -1,6 +1,7 @@
 """What flow does to screws and fins beyond the published equations.
 
-A mission switches it on (`actuator_flow`), for the simulated vehicle only: the autopilot's map stays published.
+A mission's `actuator_flow` switches it on, for the simulated vehicle only: the autopilot's map has none of
+it.
 """
 
 from typing import Annotated
