@@ -4,6 +4,126 @@
  */
 
 export interface paths {
+    "/api/alarms": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Alarms
+         * @description All alarms.
+         */
+        get: operations["alarms_api_alarms_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/alarms/{alarm}/acknowledge": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Acknowledge
+         * @description Somebody has seen it. One whose cause has gone is over with that.
+         */
+        post: operations["acknowledge_api_alarms__alarm__acknowledge_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/alarms/{alarm}/shelve": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Shelve
+         * @description Keep it out of the way for a time; it comes back by itself.
+         */
+        post: operations["shelve_api_alarms__alarm__shelve_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/audit": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Audit
+         * @description The last commands, newest first; also those from before a restart.
+         */
+        get: operations["audit_api_audit_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/audit.jsonl": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Audit File
+         * @description All commands ever, one JSON object a line.
+         */
+        get: operations["audit_file_api_audit_jsonl_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/diagnostics": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Diagnostics
+         * @description Counters by kind, age of each topic, files left out, clock and bus.
+         */
+        get: operations["diagnostics_api_diagnostics_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/drafts": {
         parameters: {
             query?: never;
@@ -504,9 +624,49 @@ export interface paths {
         get: operations["parameters_api_parameters_get"];
         /**
          * Change
-         * @description Ask the vehicle to fly with these, all of them.
+         * @description Ask the vehicle to fly with these, all of them; `If-Match` refuses a change of an old revision.
          */
         put: operations["change_api_parameters_put"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/planning": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Vehicles
+         * @description Ids of the vehicles whose files are here.
+         */
+        get: operations["vehicles_api_planning_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/planning/{vehicle}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Planning
+         * @description One vehicle as a plan shows it: the one on the bus when it has this id, else the one of our files.
+         */
+        get: operations["planning_api_planning__vehicle__get"];
+        put?: never;
         post?: never;
         delete?: never;
         options?: never;
@@ -606,6 +766,48 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/runs/{run}/at": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * At
+         * @description What was known at mission time `t`, s: one StreamFrame with the last message of each topic.
+         */
+        get: operations["at_api_runs__run__at_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/runs/{run}/frames": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Frames
+         * @description The cycles of a range as StreamFrames, each behind its length (32 bit, little endian).
+         *
+         *     Where there are more than `most`, cycles are left out evenly.
+         */
+        get: operations["frames_api_runs__run__frames_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/runs/{run}/log.mcap": {
         parameters: {
             query?: never;
@@ -638,6 +840,26 @@ export interface paths {
          * @description The run's bumpless.Metrics.
          */
         get: operations["metrics_api_runs__run__metrics_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/runs/{run}/replay": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Replay
+         * @description How long the run is and what happened in it.
+         */
+        get: operations["replay_api_runs__run__replay_get"];
         put?: never;
         post?: never;
         delete?: never;
@@ -747,6 +969,127 @@ export interface components {
             unit: string;
         };
         /**
+         * Alarm
+         * @description One alarm, from its cause to the person who saw it.
+         */
+        Alarm: {
+            /**
+             * Acknowledged By
+             * @default
+             */
+            acknowledged_by: string;
+            /**
+             * Acknowledged Ns
+             * @default 0
+             */
+            acknowledged_ns: string;
+            /**
+             * Code
+             * @default
+             */
+            code: string;
+            /**
+             * Count
+             * @default 0
+             */
+            count: number;
+            /** Details */
+            details: {
+                [key: string]: string;
+            };
+            /**
+             * Id
+             * @default
+             */
+            id: string;
+            /**
+             * Raised Ns
+             * @default 0
+             */
+            raised_ns: string;
+            /**
+             * Returned Ns
+             * @default 0
+             */
+            returned_ns: string;
+            /**
+             * Severity
+             * @default SEVERITY_UNSPECIFIED
+             * @enum {string}
+             */
+            severity: "SEVERITY_UNSPECIFIED" | "SEVERITY_INFO" | "SEVERITY_WARNING" | "SEVERITY_ALARM";
+            /**
+             * Shelved Until Ns
+             * @default 0
+             */
+            shelved_until_ns: string;
+            /**
+             * Text
+             * @default
+             */
+            text: string;
+        };
+        /**
+         * AlarmsAnswer
+         * @description Those not over, worst first, and those that are, newest first.
+         */
+        AlarmsAnswer: {
+            /** History */
+            history: components["schemas"]["Alarm"][];
+            /** Open */
+            open: components["schemas"]["Alarm"][];
+        };
+        /**
+         * Approach
+         * @description How the vehicle docks by itself, by its own parameters. Distances are from the observation point.
+         */
+        Approach: {
+            /** Break Off M */
+            break_off_m: number;
+            /** Cone Base M */
+            cone_base_m: number;
+            /** Cone Slope */
+            cone_slope: number;
+            /** Enabled */
+            enabled: boolean;
+            /** Entry Distance M */
+            entry_distance_m: number;
+            /** Keep Out M */
+            keep_out_m: number;
+        };
+        /**
+         * AuditEntry
+         * @description One command: who asked for what, and what came of it.
+         */
+        AuditEntry: {
+            /** Address */
+            address: string;
+            /**
+             * Answer
+             * @enum {string}
+             */
+            answer: "accepted" | "refused" | "none";
+            /** Author */
+            author: string;
+            /** Details */
+            details: {
+                [key: string]: unknown;
+            };
+            /** Id */
+            id: string;
+            /** Said */
+            said: string;
+            /**
+             * Time
+             * Format: date-time
+             */
+            time: string;
+            /** Took S */
+            took_s: number;
+            /** Verb */
+            verb: string;
+        };
+        /**
          * BinnedAnswer
          * @description A deleted mission, to be restored by its id.
          */
@@ -762,6 +1105,27 @@ export interface components {
             name: string;
             /** Size */
             size: number;
+        };
+        /** Body_acknowledge_api_alarms__alarm__acknowledge_post */
+        Body_acknowledge_api_alarms__alarm__acknowledge_post: {
+            /**
+             * By
+             * @default operator
+             */
+            by?: string;
+        };
+        /** Body_shelve_api_alarms__alarm__shelve_post */
+        Body_shelve_api_alarms__alarm__shelve_post: {
+            /**
+             * By
+             * @default operator
+             */
+            by?: string;
+            /**
+             * Seconds
+             * @default 600
+             */
+            seconds?: number;
         };
         /**
          * BumplessParameters
@@ -786,7 +1150,7 @@ export interface components {
         };
         /**
          * CameraAnswer
-         * @description How many of the caller's browsers moved.
+         * @description How many of the caller's tabs moved.
          */
         CameraAnswer: {
             /**
@@ -803,10 +1167,51 @@ export interface components {
          */
         CameraRequest: {
             /**
+             * Tab
+             * @default
+             */
+            tab?: string;
+            /**
              * View
              * @enum {string}
              */
             view: "follow" | "overview" | "top" | "target";
+        };
+        /**
+         * CaptureMetrics
+         * @description bumpless.CaptureMetrics as JSON.
+         */
+        CaptureMetrics: {
+            /**
+             * Captured
+             * @default false
+             */
+            captured: boolean;
+            /**
+             * Entry Offset M
+             * @default 0
+             */
+            entry_offset_m: number | null;
+            /**
+             * Force Max N
+             * @default 0
+             */
+            force_max_n: number | null;
+            /**
+             * Force Most N
+             * @default 0
+             */
+            force_most_n: number | null;
+            /**
+             * Seat Time S
+             * @default 0
+             */
+            seat_time_s: number | null;
+            /**
+             * Time S
+             * @default 0
+             */
+            time_s: number | null;
         };
         /**
          * CheckAnswer
@@ -831,6 +1236,14 @@ export interface components {
         CommandReply: {
             /** Accepted */
             accepted: boolean;
+            /**
+             * Cause
+             * @default REFUSAL_CAUSE_UNSPECIFIED
+             * @enum {string}
+             */
+            cause: "REFUSAL_CAUSE_UNSPECIFIED" | "REFUSAL_CAUSE_LATE" | "REFUSAL_CAUSE_BUSY" | "REFUSAL_CAUSE_OVERTAKEN" | "REFUSAL_CAUSE_STALE_REVISION" | "REFUSAL_CAUSE_NO_HEADER" | "REFUSAL_CAUSE_NOT_ADDRESSED";
+            /** Id */
+            id: string;
             /** Problems */
             problems: components["schemas"]["Problem"][];
             /** Reason */
@@ -842,6 +1255,42 @@ export interface components {
              * @default
              */
             run_id: string;
+        };
+        /**
+         * Counted
+         * @description One kind of what was not taken as it came, with its last example.
+         */
+        Counted: {
+            /** Count */
+            count: number;
+            /** Example */
+            example: string;
+            /** Kind */
+            kind: string;
+            /** Last */
+            last: string | null;
+            /** Meaning */
+            meaning: string;
+        };
+        /**
+         * Diagnostics
+         * @description Nothing silent: every kind that is counted, also those that never happened.
+         */
+        Diagnostics: {
+            /** Audit Trouble */
+            audit_trouble: string;
+            /** Bus Notice */
+            bus_notice: string;
+            /** Clock Offset S */
+            clock_offset_s: number;
+            /** Counted */
+            counted: components["schemas"]["Counted"][];
+            /** Left Out */
+            left_out: components["schemas"]["LeftOut"][];
+            /** Topics */
+            topics: components["schemas"]["TopicAge"][];
+            /** Vehicle Session */
+            vehicle_session: string;
         };
         /**
          * DraftAnswer
@@ -1333,6 +1782,18 @@ export interface components {
             yaml: string;
         };
         /**
+         * LeftOut
+         * @description A file or folder in the data folder that stands in no list, and why.
+         */
+        LeftOut: {
+            /** Folder */
+            folder: string;
+            /** Name */
+            name: string;
+            /** Reason */
+            reason: string;
+        };
+        /**
          * Marked
          * @description What to note of a mission; null leaves as it is.
          */
@@ -1347,6 +1808,7 @@ export interface components {
          * @description A run's figures of merit.
          */
         Metrics: {
+            capture: components["schemas"]["CaptureMetrics"] | null;
             /**
              * Cycles
              * @default 0
@@ -1537,6 +1999,11 @@ export interface components {
              * @default
              */
             end_reason: string;
+            /**
+             * Held S
+             * @default 0
+             */
+            held_s: number | null;
             /**
              * Mission Name
              * @default
@@ -1828,6 +2295,32 @@ export interface components {
             sha256: string;
         };
         /**
+         * Planning
+         * @description A vehicle as a plan shows it: size, sight, thresholds and approach, and what can fail.
+         */
+        Planning: {
+            /** Actuators */
+            actuators: string[];
+            approach: components["schemas"]["Approach"];
+            /** Diameter M */
+            diameter_m: number;
+            /** Id */
+            id: string;
+            /** Length M */
+            length_m: number;
+            /** Name */
+            name: string;
+            /** Sha256 */
+            sha256: string;
+            sight: components["schemas"]["Sight"];
+            /** Sways */
+            sways: boolean;
+            /** Thresholds M */
+            thresholds_m: {
+                [key: string]: number;
+            };
+        };
+        /**
          * Preset
          * @description A saved set of parameters.
          */
@@ -1908,6 +2401,22 @@ export interface components {
             [key: string]: unknown;
         };
         /**
+         * ReplayAnswer
+         * @description How long it is, and what happened in it. Times are mission times, s.
+         */
+        ReplayAnswer: {
+            /** Cycles */
+            cycles: number;
+            /** Events */
+            events: components["schemas"]["RunEvent"][];
+            /** First S */
+            first_s: number | null;
+            /** Last S */
+            last_s: number | null;
+            /** Run */
+            run: string;
+        };
+        /**
          * RunAnswer
          * @description A run in the list; of one being recorded, how far it is.
          */
@@ -1948,6 +2457,33 @@ export interface components {
             vehicle: string;
         };
         /**
+         * RunEvent
+         * @description One event of a run.
+         */
+        RunEvent: {
+            /**
+             * Code
+             * @default
+             */
+            code: string;
+            /** Details */
+            details: {
+                [key: string]: string;
+            };
+            /**
+             * Severity
+             * @default SEVERITY_UNSPECIFIED
+             * @enum {string}
+             */
+            severity: "SEVERITY_UNSPECIFIED" | "SEVERITY_INFO" | "SEVERITY_WARNING" | "SEVERITY_ALARM";
+            stamp: components["schemas"]["Stamp"] | null;
+            /**
+             * Text
+             * @default
+             */
+            text: string;
+        };
+        /**
          * Schema
          * @description A JSON Schema (2020-12) with whatever it says beside these.
          */
@@ -1978,6 +2514,18 @@ export interface components {
             vehicle_id: string;
             /** Vehicle Name */
             vehicle_name: string;
+        };
+        /**
+         * Sight
+         * @description The target camera's, as the vehicle file says; a mission may set others.
+         */
+        Sight: {
+            /** Half Angle Deg */
+            half_angle_deg: number;
+            /** Range Max M */
+            range_max_m: number;
+            /** Range Min M */
+            range_min_m: number;
         };
         /**
          * Stamp
@@ -2020,12 +2568,27 @@ export interface components {
             operator?: string;
             /** Seed */
             seed?: number | null;
+            /**
+             * Sha256
+             * @description Refuse when the file is another
+             */
+            sha256?: string | null;
         };
         /**
          * Status
          * @description ServerStatus, and what the server sees.
          */
         Status: {
+            /**
+             * Bus Notice
+             * @default
+             */
+            bus_notice: string;
+            /**
+             * Clock Offset S
+             * @default 0
+             */
+            clock_offset_s: number | null;
             /**
              * Link
              * @default LINK_STATE_UNSPECIFIED
@@ -2074,6 +2637,11 @@ export interface components {
              */
             server_version: string;
             /**
+             * Set Aside
+             * @default 0
+             */
+            set_aside: string;
+            /**
              * Stream Clients
              * @default 0
              */
@@ -2088,6 +2656,8 @@ export interface components {
              * @default 0
              */
             time_ns: string;
+            /** Topics */
+            topics: components["schemas"]["TopicFreshness"][];
             vehicle: components["schemas"]["SeenVehicle"] | null;
             /**
              * Vehicle Id
@@ -2255,6 +2825,46 @@ export interface components {
             /** To */
             to: string;
         };
+        /**
+         * TopicAge
+         * @description How old the last message of a topic is. `late`: older than its rate allows, or never heard.
+         */
+        TopicAge: {
+            /** Age S */
+            age_s: number | null;
+            /** Fresh For S */
+            fresh_for_s: number;
+            /** Late */
+            late: boolean;
+            /** Topic */
+            topic: string;
+        };
+        /**
+         * TopicFreshness
+         * @description bumpless.TopicFreshness as JSON.
+         */
+        TopicFreshness: {
+            /**
+             * Age S
+             * @default 0
+             */
+            age_s: number | null;
+            /**
+             * Fresh For S
+             * @default 0
+             */
+            fresh_for_s: number | null;
+            /**
+             * Late
+             * @default false
+             */
+            late: boolean;
+            /**
+             * Topic
+             * @default
+             */
+            topic: string;
+        };
         /** ValidationError */
         ValidationError: {
             /** Context */
@@ -2328,6 +2938,244 @@ export interface components {
 }
 export type $defs = Record<string, never>;
 export interface operations {
+    alarms_api_alarms_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["AlarmsAnswer"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    acknowledge_api_alarms__alarm__acknowledge_post: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                alarm: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: {
+            content: {
+                "application/json": components["schemas"]["Body_acknowledge_api_alarms__alarm__acknowledge_post"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    shelve_api_alarms__alarm__shelve_post: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                alarm: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: {
+            content: {
+                "application/json": components["schemas"]["Body_shelve_api_alarms__alarm__shelve_post"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    audit_api_audit_get: {
+        parameters: {
+            query?: {
+                limit?: number;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["AuditEntry"][];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    audit_file_api_audit_jsonl_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/jsonl": unknown;
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    diagnostics_api_diagnostics_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Diagnostics"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
     drafts_api_drafts_get: {
         parameters: {
             query?: never;
@@ -2348,6 +3196,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2386,6 +3243,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     fields_api_fields__kind__get: {
@@ -2410,6 +3276,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2446,6 +3321,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     binned_api_mission_bin_get: {
@@ -2468,6 +3352,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2506,6 +3399,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     mission_templates_api_mission_templates_get: {
@@ -2530,6 +3432,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2570,6 +3481,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     change_api_mission__verb__post: {
@@ -2594,6 +3514,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2630,6 +3559,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     upload_api_missions_post: {
@@ -2655,6 +3593,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2697,6 +3644,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     give_out_api_missions_export_post: {
@@ -2725,6 +3681,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2769,6 +3734,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     mission_api_missions__name__get: {
@@ -2793,6 +3767,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2837,6 +3820,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     remove_api_missions__name__delete: {
@@ -2868,6 +3860,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     draft_api_missions__name__draft_get: {
@@ -2892,6 +3893,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2934,6 +3944,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     drop_draft_api_missions__name__draft_delete: {
@@ -2956,6 +3975,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2998,6 +4026,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     export_api_missions__name__export_get: {
@@ -3031,6 +4068,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     file_api_missions__name__file_get: {
@@ -3053,6 +4099,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -3091,6 +4146,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     history_api_missions__name__history_get: {
@@ -3115,6 +4179,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -3147,6 +4220,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -3189,6 +4271,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     rename_api_missions__name__rename_post: {
@@ -3217,6 +4308,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -3253,6 +4353,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     change_api_parameters_put: {
@@ -3282,6 +4391,93 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    vehicles_api_planning_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": string[];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    planning_api_planning__vehicle__get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                vehicle: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Planning"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     presets_api_presets_get: {
@@ -3304,6 +4500,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -3342,6 +4547,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     save_api_presets__name__put: {
@@ -3366,6 +4580,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -3402,6 +4625,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     runs_api_runs_get: {
@@ -3424,6 +4656,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -3462,6 +4703,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     remove_api_runs__run__delete: {
@@ -3484,6 +4734,101 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    at_api_runs__run__at_get: {
+        parameters: {
+            query: {
+                t: number;
+            };
+            header?: never;
+            path: {
+                run: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/octet-stream": unknown;
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    frames_api_runs__run__frames_get: {
+        parameters: {
+            query: {
+                from_s: number;
+                to_s: number;
+                most?: number;
+            };
+            header?: never;
+            path: {
+                run: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/octet-stream": unknown;
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -3522,6 +4867,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     metrics_api_runs__run__metrics_get: {
@@ -3546,6 +4900,55 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    replay_api_runs__run__replay_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                run: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ReplayAnswer"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -3617,6 +5020,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     status_api_status_get: {
@@ -3646,6 +5058,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     vehicle_api_vehicle_get: {
@@ -3668,6 +5089,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };

@@ -14,8 +14,11 @@ from bumpless_server.web import errors
 from bumpless_server.web.auth import Auth, session_cookie
 from bumpless_server.web.body_limit import BodyLimit
 from bumpless_server.web.guard import Guard
+from bumpless_server.web.guesses import Guesses
 from bumpless_server.web.routes import (
+    alarms,
     declared,
+    diagnostics,
     exchange,
     findings,
     foresight,
@@ -24,6 +27,8 @@ from bumpless_server.web.routes import (
     missions,
     page,
     parameters,
+    planning,
+    replay,
     runs,
     status,
     stream,
@@ -33,7 +38,22 @@ log = logging.getLogger(__name__)
 
 ROUTERS = tuple(
     part.router
-    for part in (status, missions, findings, exchange, library, parameters, declared, runs, stream, foresight)
+    for part in (
+        status,
+        diagnostics,
+        alarms,
+        missions,
+        findings,
+        exchange,
+        library,
+        planning,
+        parameters,
+        declared,
+        replay,
+        runs,
+        stream,
+        foresight,
+    )
 )
 
 
@@ -57,7 +77,7 @@ def create_app(settings: Settings, console: Console | None = None) -> FastAPI:
     app.state.console = console
     app.state.auth = auth = Auth(settings, console.data.secret())
     app.add_middleware(BodyLimit, max_bytes=settings.upload_bytes)
-    app.add_middleware(Guard, auth=auth)
+    app.add_middleware(Guard, auth=auth, guesses=Guesses(console.tally.note))
     errors.install(app)
     for router in ROUTERS:
         app.include_router(router)
