@@ -17,6 +17,7 @@ from bumpless.contract.version import software_version
 from bumpless.runs.names import COMPLETE
 from bumpless.runs.view import View
 from bumpless_server.data_dir import DataDir
+from bumpless_server.foresight.checked import Findings
 from bumpless_server.foresight.foresight import Foresight
 from bumpless_server.live.bus import Bus, NoAnswer
 from bumpless_server.live.dispatch import Dispatcher
@@ -51,6 +52,7 @@ class Console:
         self.missions = Missions(self.data.missions, vehicle=self.vehicle)
         self.library = Library(self.missions, self.data)
         self.presets = Presets(self.data.presets)
+        self.findings = Findings()
         self.foresight = Foresight(self.vehicle)  # on the web's loop, which ends it
         self.catalogue = Catalogue(self.data.runs, self.data.index)
         self.recorder = Recorder(

@@ -208,6 +208,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/missions/check": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Check
+         * @description Check a mission's bytes without keeping them, as `bumpless validate --json` does.
+         */
+        post: operations["check_api_missions_check_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/missions/export": {
         parameters: {
             query?: never;
@@ -241,6 +261,7 @@ export interface paths {
          * Take In
          * @description Make a mission of a foreign file's bytes, with a word on each thing that did not carry over.
          *
+         *     part: which of several ways, where the file holds several with names. Nothing is saved.
          *     QGroundControl's .plan, WPL, GeoJSON, KML (KMZ), CSV, MOOS-IvP's .bhv, Neptus' .nmis (.nmisz).
          */
         post: operations["take_in_api_missions_import_post"];
@@ -361,6 +382,26 @@ export interface paths {
          * @description The mission's file, byte for byte.
          */
         get: operations["file_api_missions__name__file_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/missions/{name}/findings": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Findings
+         * @description Check a stored mission.
+         */
+        get: operations["findings_api_missions__name__findings_get"];
         put?: never;
         post?: never;
         delete?: never;
@@ -824,6 +865,22 @@ export interface components {
              * @enum {string}
              */
             view: "follow" | "overview" | "top" | "target";
+        };
+        /**
+         * CheckAnswer
+         * @description Problems keep a file from being read; findings tell what of the plan can't work, or may not.
+         */
+        CheckAnswer: {
+            /** File */
+            file: string;
+            /** Findings */
+            findings: components["schemas"]["ForesightFinding"][];
+            /** Ok */
+            ok: boolean;
+            /** Problems */
+            problems: components["schemas"]["Problem"][];
+            /** Sha256 */
+            sha256: string;
         };
         /**
          * CommandReply
@@ -1326,6 +1383,8 @@ export interface components {
             kind: string;
             /** Name */
             name: string;
+            /** Parts */
+            parts: string[];
             /** Problems */
             problems: components["schemas"]["Problem"][];
             /** Yaml */
@@ -2042,6 +2101,12 @@ export interface components {
          * @description Request to fly a mission.
          */
         Start: {
+            /**
+             * Despite Findings
+             * @description start though a finding says that it can't work: the operator has read it
+             * @default false
+             */
+            despite_findings?: boolean;
             /** Name */
             name: string;
             /**
@@ -2700,6 +2765,41 @@ export interface operations {
             };
         };
     };
+    check_api_missions_check_post: {
+        parameters: {
+            query?: {
+                file_name?: string;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/yaml": string;
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["CheckAnswer"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
     give_out_api_missions_export_post: {
         parameters: {
             query: {
@@ -2740,6 +2840,7 @@ export interface operations {
             query: {
                 file_name: string;
                 vehicle?: string | null;
+                part?: string | null;
             };
             header?: never;
             path?: never;
@@ -3050,6 +3151,37 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content?: never;
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    findings_api_missions__name__findings_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["CheckAnswer"];
+                };
             };
             /** @description Refused, with the reason */
             "4XX": {

@@ -17,6 +17,7 @@ from bumpless_server.web.guard import Guard
 from bumpless_server.web.routes import (
     declared,
     exchange,
+    findings,
     foresight,
     help,
     library,
@@ -36,6 +37,7 @@ ROUTERS = tuple(
     for part in (
         status,
         missions,
+        findings,
         exchange,
         library,
         planning,

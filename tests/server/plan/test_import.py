@@ -139,7 +139,7 @@ OUTSIDE = b'<!DOCTYPE k [<!ENTITY x SYSTEM "file:///etc/passwd">]><kml><Placemar
         ("page.html", b"<html><body>404</body></html>", "web page"),
         ("latin.csv", b"north_m,east_m,\xe9\n", "UTF-8"),
         ("mission.unknown", b"hello", "no kind"),
-        ("empty.kml", b"", "no kind"),
+        ("empty.kml", b"", "empty"),
     ],
 )
 def test_what_cannot_be_imported_is_refused_with_a_reason(name: str, data: bytes, words: str) -> None:

@@ -11,7 +11,7 @@ from bumpless_server.plan.exchange.route import Item, NotImportable, Point, Rout
 
 DEPTH_M, SPEED_MPS, STANDOFF_M = 2.0, 0.7, 1.5
 SLOWEST_MPS, FASTEST_MPS = 0.01, 5.0
-FARTHEST_M = 1e5
+FARTHEST_M = 1e5  # of a position from the origin
 HOVER_S, LONGEST_S = 60.0, 1e5
 Place = tuple[float, float, float]
 
@@ -41,13 +41,23 @@ def mission_text(route: Route, file_name: str, vehicle: str) -> str:
 def _origin(route: Route) -> Origin | None:
     if not route.geographic:
         return None
-    first = route.points[0]
-    latitude, longitude = route.home or (first.first, first.second)
+    first = route.points[0].first, route.points[0].second
+    if route.home is not None and not _near(route.home, first):
+        route.left("home position", f"more than {FARTHEST_M / 1e3:g} km from the first place")
+        route.home = None
     if route.home is None:
         route.carried("origin", "the first place")
+    latitude, longitude = route.home or first
     if abs(latitude) > 89.0:
         raise NotImportable("lies at a pole, where north and east mean nothing")
     return Origin(latitude_deg=latitude, longitude_deg=longitude)
+
+
+def _near(home: tuple[float, float], first: tuple[float, float]) -> bool:
+    if abs(home[0]) > 89.0:
+        return False
+    north, east = Origin(latitude_deg=home[0], longitude_deg=home[1]).to_local(*first)
+    return math.hypot(north, east) < FARTHEST_M
 
 
 def _place(route: Route, origin: Origin | None, point: Point) -> Place:
@@ -61,7 +71,7 @@ def _place(route: Route, origin: Origin | None, point: Point) -> Place:
 def _tell_depths(route: Route) -> None:
     unknown = sum(point.depth_m is None for point in route.points)
     if unknown:
-        route.items.append(Item("depth", False, f"{unknown} places have none: {DEPTH_M:g} m was put in"))
+        route.items.append(Item("depth", False, f"{_count(unknown, 'place')} none: {DEPTH_M:g} m was put in"))
 
 
 def _far_enough(
@@ -83,7 +93,9 @@ def _far_enough(
 def _flown(route: Route, speeds: list[float | None]) -> list[float]:
     unknown = sum(speed is None for speed in speeds)
     if unknown:
-        route.items.append(Item("speed", False, f"{unknown} legs have none: {SPEED_MPS:g} m/s was put in"))
+        route.items.append(
+            Item("speed", False, f"{_count(unknown, 'leg')} none: {SPEED_MPS:g} m/s was put in")
+        )
     found = [SPEED_MPS if speed is None else speed for speed in speeds]
     fit = [min(max(speed, SLOWEST_MPS), FASTEST_MPS) for speed in found]
     if fit != found:
@@ -136,6 +148,10 @@ def _yaml(
             f"  longitude_deg: {origin.longitude_deg:.8f}",
         ]
     return "\n".join(lines) + "\n"
+
+
+def _count(count: int, what: str) -> str:
+    return f"{count} {what} has" if count == 1 else f"{count} {what}s have"
 
 
 def _heading(a: Place, b: Place) -> float:

@@ -10,22 +10,29 @@ _WAYS = ("points", "point", "polygon")
 _KNOWN = {"name", *_WAYS, "speed"}
 
 
-def read_bhv(text: str) -> Route:
-    """The first behaviour with points; x is east and y is north, in m from the mission's datum."""
+def read_bhv(text: str, part: str | None = None) -> Route:
+    """One behaviour's points; x is east and y is north, in m from the mission's datum.
+
+    part: the behaviour's name; by default the first with points.
+    """
     text = "\n".join(line.partition("//")[0] for line in text.splitlines())
     route = Route(MOOS, geographic=False)
     blocks = [(kind, _fields(body)) for kind, body in _BLOCK.findall(text)]
     if not blocks:
         raise NotImportable("holds no behaviour")
     depth = _depth(blocks)
+    ways = [fields for kind, fields in blocks if kind.upper() == "BHV_WAYPOINT" and fields.keys() & {*_WAYS}]
+    route.parts = tuple(fields.get("name", "") for fields in ways)
+    if part is not None and part not in route.parts:
+        raise NotImportable(f"has no behaviour {part!r} with points; there are {', '.join(route.parts)}")
     for kind, fields in blocks:
         what = f"{kind} {fields.get('name', '')}".strip()
         if kind.upper() == "BHV_CONSTANTDEPTH":
             route.carried(what, "is the depth of every waypoint")
         elif kind.upper() != "BHV_WAYPOINT":
             route.left(what, "other behaviours are not flown")
-        elif route.points:
-            route.left(what, "one way is imported, the first")
+        elif route.points or (part is not None and fields.get("name", "") != part):
+            route.left(what, "one way is imported at a time")
         else:
             _way(route, what, fields, depth)
     return route

@@ -9,15 +9,19 @@ from bumpless_server.plan.exchange.route import NotImportable, Point, Route, geo
 
 NEPTUS = "a Neptus mission"
 _ANGLE = re.compile(
-    r"\s*(?P<deg>[-+]?[\d.]+)\s*(?P<side>[NSEW])?\s*(?:(?P<min>[\d.]+)\s*'?\s*(?:(?P<sec>[\d.]+)\s*(?:''|\")?)?)?\s*"
-    r"(?P<late>[NSEW])?\s*",
+    r"\s*(?P<early>[NSEW])?\s*(?P<deg>[-+]?[\d.]+)\s*°?\s*(?P<side>[NSEW])?\s*"
+    r"(?:(?P<min>[\d.]+)\s*'?\s*(?:(?P<sec>[\d.]+)\s*(?:''|\")?)?)?\s*(?P<late>[NSEW])?\s*",
     re.IGNORECASE,
 )
-_FLOWN = {"Goto": "", "PopUp": "surfacing is not done"}
+_FLOWN = {"Goto": "", "PopUp": "surfacing is not done", "StationKeeping": "the stay there is not done"}
+_NOT_KINDS = ("minTime", "maxTime", "annotation")
 
 
-def read_nmis(data: bytes) -> Route:
-    """The first plan's manoeuvres in the order of its transitions; their places become waypoints."""
+def read_nmis(data: bytes, part: str | None = None) -> Route:
+    """One plan's manoeuvres in the order of its transitions; their places become waypoints.
+
+    part: the plan's name; by default the first with two places or more.
+    """
     root = parsed(data)
     route = Route(NEPTUS, geographic=True)
     home = next((e for e in root.iter() if local_name(e) in ("homeref", "home-reference", "home")), None)
@@ -25,23 +29,30 @@ def read_nmis(data: bytes) -> Route:
     if place is not None:
         route.home = place[0], place[1]
         route.carried("home reference", "is the mission's origin")
-    plans = [e for e in root.iter() if local_name(e) in ("individual-plan", "plan", "single-vehicle-plan")]
-    plans = [plan for plan in plans if any(local_name(e) == "node" for e in plan.iter())] or [root]
-    for plan in plans[1:]:
-        route.left(
-            f"plan {plan.get('id') or plan.get('name') or ''}".strip(), "one plan is imported, the first"
-        )
-    route.title = plans[0].get("id") or ""
-    for node in _ordered(plans[0]):
+    plans = [e for e in root.iter() if local_name(e) in ("individual-plan", "plan") and _nodes(e)]
+    if not plans:
+        raise NotImportable("is a Neptus mission without a plan: it holds maps alone")
+    route.parts = tuple(plan.get("id") or f"plan {i}" for i, plan in enumerate(plans, 1))
+    if part is not None and part not in route.parts:
+        raise NotImportable(f"has no plan {part!r}; there are {', '.join(route.parts)}")
+    likely = next((i for i, p in enumerate(plans) if sum(_place(n) is not None for n in _nodes(p)) > 1), 0)
+    chosen = likely if part is None else route.parts.index(part)
+    for i, name in enumerate(route.parts):
+        if i != chosen:
+            route.left(f"plan {name}", "one plan is imported at a time")
+    route.title = route.parts[chosen]
+    for node in _ordered(plans[chosen]):
         _maneuver(route, node)
     return route
 
 
+def _nodes(plan: Element) -> list[Element]:
+    return [e for e in plan.iter() if local_name(e) == "node"]
+
+
 def _ordered(plan: Element) -> Iterator[Element]:
     """The plan's nodes along its transitions from the first; those that none leads to come last."""
-    nodes = {
-        _child(n, "id") or str(i): n for i, n in enumerate(e for e in plan.iter() if local_name(e) == "node")
-    }
+    nodes = {_child(node, "id") or str(i): node for i, node in enumerate(_nodes(plan))}
     after = {_child(e, "source"): _child(e, "target") for e in plan.iter() if local_name(e) == "edge"}
     start = next((key for key, node in nodes.items() if node.get("start") == "true"), next(iter(nodes), None))
     seen: list[str] = []
@@ -55,7 +66,7 @@ def _ordered(plan: Element) -> Iterator[Element]:
 def _maneuver(route: Route, node: Element) -> None:
     holder = next((e for e in node.iter() if local_name(e) == "maneuver"), None)
     kind = (
-        next((child for child in holder if local_name(child) != "annotation"), None)
+        next((child for child in holder if local_name(child) not in _NOT_KINDS), None)
         if holder is not None
         else None
     )
@@ -86,17 +97,16 @@ def _place(element: Element) -> tuple[float, float, float | None, str] | None:
 
 
 def _depth(place: Element, around: Element) -> tuple[float | None, str]:
+    """(depth, note): what z says in its units, which later versions write, else the coordinate's own."""
+    units = next((e.text or "" for e in around.iter() if local_name(e) in ("z-units", "zunits")), "").strip()
+    z = next((e.text or "" for e in around.iter() if local_name(e) == "z"), "").strip()
+    if z and units.upper() == "DEPTH":
+        return max(number(z, "z"), 0.0), ""
+    if z and units and units.upper() != "NONE":
+        return None, f"{units.lower()} of {z} m: the depth is to be set"
     if depth := _child(place, "depth"):
         return max(number(depth, "depth"), 0.0), ""
-    if height := _child(place, "height"):
-        return max(-number(height, "height"), 0.0), ""
-    units = next((e.text for e in around.iter() if local_name(e) in ("z-units", "zunits")), None)
-    z = next((e.text for e in around.iter() if local_name(e) == "z"), None)
-    if z is None or units is None:
-        return None, ""
-    if units.strip().upper() == "DEPTH":
-        return max(number(z, "z"), 0.0), ""
-    return None, f"{units.strip().lower()} of {z.strip()} m: the depth is to be set"
+    return None, ""
 
 
 def _speed(kind: Element) -> tuple[float | None, str]:
@@ -116,7 +126,7 @@ def _angle(text: str) -> float:
         raise NotImportable(f"{text[:40]!r} is no latitude or longitude")
     parts = [number(found[name] or 0.0, "an angle") for name in ("deg", "min", "sec")]
     size = abs(parts[0]) + parts[1] / 60.0 + parts[2] / 3600.0
-    side = (found["side"] or found["late"] or "").upper()
+    side = (found["early"] or found["side"] or found["late"] or "").upper()
     return -size if side in ("S", "W") or parts[0] < 0.0 else size
 
 

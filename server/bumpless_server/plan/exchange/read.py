@@ -23,25 +23,31 @@ class Imported:
     kind: str
     yaml: str
     items: tuple[Item, ...]
+    parts: tuple[str, ...] = ()  # names that `part` may take
 
 
-def imported(data: bytes, file_name: str, vehicle: str) -> Imported:
-    """The mission that a foreign file holds, for a vehicle. Raises NotImportable with the reason."""
-    route = read_route(data, file_name)
+def imported(data: bytes, file_name: str, vehicle: str, part: str | None = None) -> Imported:
+    """The mission that a foreign file holds, for a vehicle. Raises NotImportable with the reason.
+
+    part: which of several ways, by its name.
+    """
+    route = read_route(data, file_name, part)
     if not route.points:
         reasons = [f"{item.what}: {item.note}" for item in route.items[:3] if not item.carried]
         raise NotImportable("holds no place to go to" + (f" ({'; '.join(reasons)})" if reasons else ""))
-    return Imported(route.kind, mission_text(route, file_name, vehicle), tuple(route.items))
+    return Imported(route.kind, mission_text(route, file_name, vehicle), tuple(route.items), route.parts)
 
 
-def read_route(data: bytes, file_name: str) -> Route:
+def read_route(data: bytes, file_name: str, part: str | None = None) -> Route:
     """The way in a file, by what its bytes are; its name decides only where they leave it open."""
     name, start = file_name.lower(), data[:4096].removeprefix(BOM.encode())
+    if not data.strip():
+        raise NotImportable("is empty")
     if start.startswith(b"PK\x03\x04"):
         inside, content = unpacked(data, ".nmis", ".kml", "mission.xml")
-        return read_route(content, inside)
+        return read_route(content, inside, part)
     if start.lstrip().startswith(b"<"):
-        return _xml(data, start)
+        return _xml(data, start, part)
     kind = foreign_kind(data)
     text = _text(data, file_name, kind)
     if start.lstrip().startswith((b"{", b"[")):
@@ -49,29 +55,26 @@ def read_route(data: bytes, file_name: str) -> Route:
     if kind is not None and "WPL" in kind:
         return read_wpl(text)
     if name.endswith((".bhv", ".bhv.txt")) or "behavior" in text[:20_000].lower().split("=")[0]:
-        return read_bhv(text)
+        return read_bhv(text, part)
     if kind is not None and "MOOS" not in kind:
         raise NotImportable(f"is {kind}, which holds no mission that could be imported")
     if kind is not None:
-        return read_bhv(text)
+        return read_bhv(text, part)
     if name.endswith(_TABLES):
         return read_csv(text)
     raise NotImportable("is of no kind that is known: .plan, WPL, GeoJSON, KML, CSV, .bhv, .nmis")
 
 
-def _xml(data: bytes, start: bytes) -> Route:
+def _xml(data: bytes, start: bytes, part: str | None) -> Route:
     lower = start.lower()
     if b"<kml" in lower or b"opengis.net/kml" in lower:
         return read_kml(data)
     if b"mission-def" in lower or b"neptus" in lower:
-        return read_nmis(data)
+        return read_nmis(data, part)
     kind = foreign_kind(data)
     if kind is not None and kind != "an XML file":
         raise NotImportable(f"is {kind}, which holds no mission that could be imported")
-    route = read_nmis(data)  # an XML file with Neptus' elements under another root
-    if not route.points:
-        raise NotImportable(f"is an XML file, but neither {KML} nor {NEPTUS}")
-    return route
+    raise NotImportable(f"is an XML file, but neither {KML} nor {NEPTUS}")
 
 
 def _json(text: str) -> Route:

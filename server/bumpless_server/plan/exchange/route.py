@@ -36,6 +36,7 @@ class Route:
     points: list[Point] = field(default_factory=list)
     items: list[Item] = field(default_factory=list)
     title: str = ""
+    parts: tuple[str, ...] = ()  # ways that the file holds, where they have names and there may be several
 
     def carried(self, what: str, note: str = "") -> None:
         """Note something that came over."""

@@ -23,6 +23,7 @@ class ImportAnswer(Answer):
     kind: str  # "a QGroundControl plan"
     name: str  # proposed, for the file
     yaml: str
+    parts: list[str]  # ways of the file that could be imported instead, this one among them
     items: list[ExchangeItem]
     problems: list[Problem]  # of the mission as it stands
 

@@ -30,14 +30,15 @@ _TEXT = {"requestBody": {"content": {"application/yaml": {"schema": {"type": "st
 
 @router.post("/missions/import", openapi_extra=_BYTES)
 async def take_in(
-    console: Served, request: Request, file_name: str, vehicle: str | None = None
+    console: Served, request: Request, file_name: str, vehicle: str | None = None, part: str | None = None
 ) -> ImportAnswer:
     """Make a mission of a foreign file's bytes, with a word on each thing that did not carry over.
 
+    part: which of several ways, where the file holds several with names. Nothing is saved.
     QGroundControl's .plan, WPL, GeoJSON, KML (KMZ), CSV, MOOS-IvP's .bhv, Neptus' .nmis (.nmisz).
     """
     data = await request.body()
-    return await run_in_threadpool(_imported, console, data, file_name[:200], vehicle)
+    return await run_in_threadpool(_imported, console, data, file_name[:200], vehicle, part)
 
 
 @router.post("/missions/export", openapi_extra=_TEXT)
@@ -53,9 +54,11 @@ def export(console: Served, name: str, to: Format) -> ExportAnswer:
     return _exported(console, console.library.get(name).data, to)
 
 
-def _imported(console: Served, data: bytes, file_name: str, vehicle: str | None) -> ImportAnswer:
+def _imported(
+    console: Served, data: bytes, file_name: str, vehicle: str | None, part: str | None
+) -> ImportAnswer:
     try:
-        found = imported(data, file_name, vehicle or console.state.vehicle_id)
+        found = imported(data, file_name, vehicle or console.state.vehicle_id, part)
     except NotImportable as error:
         sentence = f"{file_name} {error}"
         problem = Broken(file_name, None, None, "", None, str(error))
@@ -63,7 +66,14 @@ def _imported(console: Served, data: bytes, file_name: str, vehicle: str | None)
     problems = _problems(console, found)
     name = next(line[6:] for line in found.yaml.splitlines() if line.startswith("name: "))
     items = [ExchangeItem.of(item) for item in found.items]
-    return ImportAnswer(kind=found.kind, name=name, yaml=found.yaml, items=items, problems=problems)
+    return ImportAnswer(
+        kind=found.kind,
+        name=name,
+        yaml=found.yaml,
+        parts=list(found.parts),
+        items=items,
+        problems=problems,
+    )
 
 
 def _problems(console: Served, found: Imported) -> list[Problem]:

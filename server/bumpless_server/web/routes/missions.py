@@ -12,6 +12,7 @@ from bumpless_server.web.answers.missions import MissionDetail, MissionSummary
 from bumpless_server.web.answers.refusal import REFUSALS
 from bumpless_server.web.errors import Refusal
 from bumpless_server.web.routes import Served
+from bumpless_server.web.routes.findings import refuse_hopeless
 
 router = APIRouter(prefix="/api", responses=REFUSALS)
 
@@ -24,6 +25,9 @@ class Start(BaseModel):
     sha256: str | None = Field(None, pattern="^[0-9a-f]{64}$", description="Refuse when the file is another")
     seed: int | None = Field(None, ge=0, le=2**32 - 1)
     operator: str = Field("", max_length=80)
+    despite_findings: bool = Field(
+        False, description="start though a finding says that it can't work: the operator has read it"
+    )
 
 
 async def text_of(request: Request) -> str:
@@ -81,6 +85,7 @@ def start(console: Served, wanted: Start = Body(...)) -> CommandReply:
         raise Refusal(422, f"{file.path.name} is not valid", [one.as_dict() for one in file.problems])
     if wanted.sha256 is not None and wanted.sha256 != file.mission.sha256:
         raise Refusal(409, f"{file.name} was changed since it was shown: look at it again, then start")
+    refuse_hopeless(console, file, wanted.despite_findings)
     request = pb.StartMission(
         file_name=file.path.name, mission_yaml=file.text, seed=wanted.seed, operator=wanted.operator
     )
