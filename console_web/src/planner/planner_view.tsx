@@ -72,7 +72,7 @@ export function PlannerView({ hidden }: { hidden: boolean }) {
           <PlanMap />
           <Profile />
         </div>
-        <div class="column planner-right">
+        <div class="column planner-right" data-tab={tab.value}>
           <ForecastPanel onPlace={() => undefined} />
           <Details />
         </div>
