@@ -35,6 +35,7 @@ def planned(console: Page, server: ContractServer) -> Iterator[Page]:
     keep(server, TEXT)
     console.goto(f"{server.url}#plan/harbour")
     expect(console.get_by_label("How it is kept")).to_contain_text("Saved")
+    expect(console.get_by_label("State of the forecast")).to_have_text("up to date")
     yield console
 
 
@@ -67,7 +68,7 @@ def test_a_drag_changes_plan_form_and_text_at_once_and_is_undone_as_one(planned:
 def test_what_is_typed_moves_the_drawing_and_a_wrong_number_is_refused(planned: Page) -> None:
     """Protects exact entry with ranges: a number out of range never reaches the document."""
     planner.click(planned, 26, 0)
-    heading = planned.get_by_label("Approach heading")
+    heading = planned.get_by_label("Approach heading", exact=True)
     heading.fill("45")
     planned.get_by_role("button", name="Legs").click()
     row = planned.get_by_role("table", name="Legs").get_by_role("row").nth(2)
@@ -85,7 +86,7 @@ def test_the_text_is_edited_and_the_views_follow(planned: Page) -> None:
     line.click()
     planned.keyboard.press("End")
     planned.keyboard.press("Enter")
-    planned.keyboard.type("seed: [7")
+    planned.keyboard.type("seed: 7: 8")
     expect(planned.get_by_label("Findings")).to_contain_text("can't be read")
     planned.keyboard.press("ControlOrMeta+z")
     expect(planned.get_by_label("Findings")).to_have_count(0)
@@ -106,7 +107,7 @@ def test_the_plan_is_edited_by_keyboard_alone(planned: Page) -> None:
     planned.keyboard.press("Escape")
     for key in ("p", "p", "]"):  # the current is last, the dock before it
         planned.keyboard.press(key)
-    expect(planned.get_by_label("Approach heading")).to_have_value("5")
+    expect(planned.get_by_label("Approach heading", exact=True)).to_have_value("5")
     for _ in range(8):
         planned.keyboard.press("ControlOrMeta+z")
     expect(planned.get_by_label("How it is kept")).to_contain_text("Saved")

@@ -54,7 +54,7 @@ export function PlannerView({ hidden }: { hidden: boolean }) {
     if (!dragging.value) void learn(mission.value.vehicle);
   });
   useSignalEffect(() => {
-    if (!name.value) library.value = true;
+    library.value = name.value === "" && named() === "";
   });
   const close = (): void => {
     library.value = false;
