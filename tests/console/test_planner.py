@@ -72,7 +72,7 @@ def test_what_is_typed_moves_the_drawing_and_a_wrong_number_is_refused(planned: 
     heading.fill("45")
     planned.get_by_role("button", name="Legs").click()
     row = planned.get_by_role("table", name="Legs").get_by_role("row").nth(2)
-    expect(row).to_contain_text("355")  # the last leg leads to the observation point, which went along
+    expect(row).to_contain_text("356")  # the last leg leads to the observation point, which went along
     planned.get_by_role("button", name="Details").click()
     planned.get_by_label("Standoff").fill("999")
     expect(planned.get_by_label("Standoff")).to_have_attribute("aria-invalid", "true")
