@@ -12,7 +12,8 @@ class DataDirError(RuntimeError):
 
 
 class DataDir:
-    """data_dir/{runs,missions,mission_*,presets}, index.sqlite, node.json, node.log, secret and a lock."""
+    """data_dir/{runs,missions,mission_*,presets,limits}, index.sqlite, audit.jsonl, alarms.json, node.*,
+    secret and a lock."""
 
     def __init__(self, root: Path) -> None:
         self.root = root
@@ -23,15 +24,19 @@ class DataDir:
         self.drafts = root / "mission_drafts"
         self.marks = root / "mission_marks.json"
         self.presets = root / "presets"
+        self.limits = root / "limits"
+        self.alarms = root / "alarms.json"
         self.index = root / "index.sqlite"
         self.node_record = root / "node.json"
+        self.audit = root / "audit.jsonl"
         self.node_log = root / "node.log"
         self._lock: IO[str] | None = None
 
     def open(self) -> None:
         """Make the folders and take the lock. Raises DataDirError."""
         try:
-            for folder in (self.runs, self.missions, self.versions, self.bin, self.drafts, self.presets):
+            made = (self.runs, self.missions, self.versions, self.bin, self.drafts, self.presets, self.limits)
+            for folder in made:
                 folder.mkdir(parents=True, exist_ok=True)
             lock = (self.root / "lock").open("w")
         except OSError as error:

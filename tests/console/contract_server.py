@@ -215,7 +215,7 @@ class ContractServer:
                 WebSocketRoute("/api/stream", self._stream),
                 WebSocketRoute("/ws/foresight", self._foresight),
                 Route("/api/{path:path}", self._answer, methods=["GET", "POST", "PUT", "DELETE"]),
-                Route("/scene/", scene),
+                Route("/scene/{tab}/", scene),
                 Route("/", page),
                 Mount("/", StaticFiles(directory=self.console)),
             ]

@@ -1,4 +1,4 @@
-"""The five-minute walk on the real server and vehicle: a mission drawn, judged, mended, saved, started, watched."""
+"""The five-minute walk on the real server and vehicle: drawn, judged, mended, saved, started, watched."""
 
 import os
 import re

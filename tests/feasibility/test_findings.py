@@ -8,7 +8,7 @@ from bumpless.config.mission import parse_mission
 from bumpless.config.parameters import default_parameters
 from bumpless.config.vehicle import load_vehicle, vehicle_names
 from bumpless.contract.enums import CURRENT, HOLD
-from bumpless.feasibility import station_keeping
+from bumpless.feasibility import ACCEPT, REFUSE, WARN, station_keeping
 from bumpless.feasibility.path import approach_time
 from bumpless.feasibility.reach import top_speed
 from bumpless.physics.model import build_model
@@ -48,7 +48,7 @@ def test_a_sound_mission_has_no_findings() -> None:
     ("text", "wanted"),
     [
         (with_current(0.1), ("hard", "current_not_holdable")),
-        (with_current(0.01), ("soft", "held_for_a_while")),
+        (with_current(0.01), ("soft", "current_hard_to_hold")),
         (CASE.replace("[24.5, 0", "[5000, 0").replace("[26, 0", "[5001.5, 0"), ("hard", "too_far")),
         (CASE.replace("[26, 0, 2.3]", "[26, 0, 23]"), ("soft", "target_depth")),
         (CASE.replace("[26, 0, 2.3]", "[26, 40, 2.3]"), ("soft", "target_not_on_path")),
@@ -89,11 +89,10 @@ def test_what_is_refused_is_what_the_vehicle_gives_up(ts100, east) -> None:
 def test_the_headings_that_hold_lie_about_the_current(ts100, docking) -> None:
     """Protects: station keeping by heading, its margin and the nearest heading."""
     station = station_keeping(ts100, default_parameters(ts100), (0.0, 0.1, 0.0), docking.target)
-    holds = station.heading_deg[station.holds_s > 0.0]
-    assert not station.holds and station.chosen_margin_mps < 0.0
-    assert holds.min() > 250.0 and holds.max() < 290.0 and 270.0 in holds
-    assert station.nearest_deg == holds[station.holds_s[holds.astype(int)] >= 1e6].max()
-    assert (station.margin_mps[holds.astype(int)] >= 0.0).all()
+    may, sure = (station.heading_deg[station.zone >= zone] for zone in (WARN, ACCEPT))
+    assert station.chosen.zone == REFUSE and station.chosen.margin_mps < 0.0
+    assert 250.0 < may.min() < sure.min() < 270.0 < sure.max() < may.max() < 290.0
+    assert station.nearest_deg == sure.max()
 
 
 @pytest.mark.parametrize("name", ["bluerov2_heavy", "twinpod"])
@@ -101,14 +100,14 @@ def test_a_vehicle_with_sideways_thrust_holds_any_heading(name, docking) -> None
     """Protects: what is asked of a vehicle without sway is not asked of others."""
     vehicle = load_vehicle(name)
     station = station_keeping(vehicle, default_parameters(vehicle), (0.0, 0.05, 0.0), docking.target)
-    assert station.holds and (station.holds_s > 0.0).all()
+    assert station.chosen.zone == ACCEPT and (station.zone == ACCEPT).all()
 
 
 def test_a_vehicle_that_cannot_stop_holds_nowhere(docking) -> None:
     """Protects: REMUS passes; it is not said to hold."""
     vehicle = load_vehicle("remus100")
     station = station_keeping(vehicle, default_parameters(vehicle), (0.0, 0.0, 0.0), docking.target)
-    assert not station.holds and "slower" in station.reason
+    assert station.chosen.zone == REFUSE and "slower" in station.chosen.reason
 
 
 @pytest.mark.parametrize("name", vehicle_names())

@@ -29,7 +29,7 @@ def made(text: str, mend: bumpless.Mend) -> str:
     ("text", "code"),
     [
         (with_current(0.1), "current_not_holdable"),
-        (with_current(0.01), "held_for_a_while"),
+        (with_current(0.01), "current_hard_to_hold"),
         (CASE.replace("[24.5, 0", "[200, 0").replace("[26, 0", "[201.5, 0"), "too_far"),
         (CASE.replace("duration_s: 180", "duration_s: 40"), "short_of_time"),
         (CASE.replace("[26, 0, 2.3]", "[26, 0, 23]"), "target_depth"),

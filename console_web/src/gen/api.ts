@@ -4,6 +4,126 @@
  */
 
 export interface paths {
+    "/api/alarms": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Alarms
+         * @description All alarms.
+         */
+        get: operations["alarms_api_alarms_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/alarms/{alarm}/acknowledge": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Acknowledge
+         * @description Somebody has seen it. One whose cause has gone is over with that.
+         */
+        post: operations["acknowledge_api_alarms__alarm__acknowledge_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/alarms/{alarm}/shelve": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Shelve
+         * @description Keep it out of the way for a time; it comes back by itself.
+         */
+        post: operations["shelve_api_alarms__alarm__shelve_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/audit": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Audit
+         * @description The last commands, newest first; also those from before a restart.
+         */
+        get: operations["audit_api_audit_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/audit.jsonl": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Audit File
+         * @description All commands ever, one JSON object a line.
+         */
+        get: operations["audit_file_api_audit_jsonl_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/diagnostics": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Diagnostics
+         * @description Counters by kind, age of each topic, files left out, clock and bus.
+         */
+        get: operations["diagnostics_api_diagnostics_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/drafts": {
         parameters: {
             query?: never;
@@ -504,7 +624,7 @@ export interface paths {
         get: operations["parameters_api_parameters_get"];
         /**
          * Change
-         * @description Ask the vehicle to fly with these, all of them.
+         * @description Ask the vehicle to fly with these, all of them; `If-Match` refuses a change of an old revision.
          */
         put: operations["change_api_parameters_put"];
         post?: never;
@@ -646,6 +766,48 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/runs/{run}/at": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * At
+         * @description What was known at mission time `t`, s: one StreamFrame with the last message of each topic.
+         */
+        get: operations["at_api_runs__run__at_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/runs/{run}/frames": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Frames
+         * @description The cycles of a range as StreamFrames, each behind its length (32 bit, little endian).
+         *
+         *     Where there are more than `most`, cycles are left out evenly.
+         */
+        get: operations["frames_api_runs__run__frames_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/runs/{run}/log.mcap": {
         parameters: {
             query?: never;
@@ -678,6 +840,26 @@ export interface paths {
          * @description The run's bumpless.Metrics.
          */
         get: operations["metrics_api_runs__run__metrics_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/runs/{run}/replay": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Replay
+         * @description How long the run is and what happened in it.
+         */
+        get: operations["replay_api_runs__run__replay_get"];
         put?: never;
         post?: never;
         delete?: never;
@@ -787,6 +969,77 @@ export interface components {
             unit: string;
         };
         /**
+         * Alarm
+         * @description One alarm, from its cause to the person who saw it.
+         */
+        Alarm: {
+            /**
+             * Acknowledged By
+             * @default
+             */
+            acknowledged_by: string;
+            /**
+             * Acknowledged Ns
+             * @default 0
+             */
+            acknowledged_ns: string;
+            /**
+             * Code
+             * @default
+             */
+            code: string;
+            /**
+             * Count
+             * @default 0
+             */
+            count: number;
+            /** Details */
+            details: {
+                [key: string]: string;
+            };
+            /**
+             * Id
+             * @default
+             */
+            id: string;
+            /**
+             * Raised Ns
+             * @default 0
+             */
+            raised_ns: string;
+            /**
+             * Returned Ns
+             * @default 0
+             */
+            returned_ns: string;
+            /**
+             * Severity
+             * @default SEVERITY_UNSPECIFIED
+             * @enum {string}
+             */
+            severity: "SEVERITY_UNSPECIFIED" | "SEVERITY_INFO" | "SEVERITY_WARNING" | "SEVERITY_ALARM";
+            /**
+             * Shelved Until Ns
+             * @default 0
+             */
+            shelved_until_ns: string;
+            /**
+             * Text
+             * @default
+             */
+            text: string;
+        };
+        /**
+         * AlarmsAnswer
+         * @description Those not over, worst first, and those that are, newest first.
+         */
+        AlarmsAnswer: {
+            /** History */
+            history: components["schemas"]["Alarm"][];
+            /** Open */
+            open: components["schemas"]["Alarm"][];
+        };
+        /**
          * Approach
          * @description How the vehicle docks by itself, by its own parameters. Distances are from the observation point.
          */
@@ -805,6 +1058,38 @@ export interface components {
             keep_out_m: number;
         };
         /**
+         * AuditEntry
+         * @description One command: who asked for what, and what came of it.
+         */
+        AuditEntry: {
+            /** Address */
+            address: string;
+            /**
+             * Answer
+             * @enum {string}
+             */
+            answer: "accepted" | "refused" | "none";
+            /** Author */
+            author: string;
+            /** Details */
+            details: {
+                [key: string]: unknown;
+            };
+            /** Id */
+            id: string;
+            /** Said */
+            said: string;
+            /**
+             * Time
+             * Format: date-time
+             */
+            time: string;
+            /** Took S */
+            took_s: number;
+            /** Verb */
+            verb: string;
+        };
+        /**
          * BinnedAnswer
          * @description A deleted mission, to be restored by its id.
          */
@@ -820,6 +1105,27 @@ export interface components {
             name: string;
             /** Size */
             size: number;
+        };
+        /** Body_acknowledge_api_alarms__alarm__acknowledge_post */
+        Body_acknowledge_api_alarms__alarm__acknowledge_post: {
+            /**
+             * By
+             * @default operator
+             */
+            by?: string;
+        };
+        /** Body_shelve_api_alarms__alarm__shelve_post */
+        Body_shelve_api_alarms__alarm__shelve_post: {
+            /**
+             * By
+             * @default operator
+             */
+            by?: string;
+            /**
+             * Seconds
+             * @default 600
+             */
+            seconds?: number;
         };
         /**
          * BumplessParameters
@@ -844,7 +1150,7 @@ export interface components {
         };
         /**
          * CameraAnswer
-         * @description How many of the caller's browsers moved.
+         * @description How many of the caller's tabs moved.
          */
         CameraAnswer: {
             /**
@@ -861,10 +1167,51 @@ export interface components {
          */
         CameraRequest: {
             /**
+             * Tab
+             * @default
+             */
+            tab?: string;
+            /**
              * View
              * @enum {string}
              */
             view: "follow" | "overview" | "top" | "target";
+        };
+        /**
+         * CaptureMetrics
+         * @description bumpless.CaptureMetrics as JSON.
+         */
+        CaptureMetrics: {
+            /**
+             * Captured
+             * @default false
+             */
+            captured: boolean;
+            /**
+             * Entry Offset M
+             * @default 0
+             */
+            entry_offset_m: number | null;
+            /**
+             * Force Max N
+             * @default 0
+             */
+            force_max_n: number | null;
+            /**
+             * Force Most N
+             * @default 0
+             */
+            force_most_n: number | null;
+            /**
+             * Seat Time S
+             * @default 0
+             */
+            seat_time_s: number | null;
+            /**
+             * Time S
+             * @default 0
+             */
+            time_s: number | null;
         };
         /**
          * CheckAnswer
@@ -889,6 +1236,14 @@ export interface components {
         CommandReply: {
             /** Accepted */
             accepted: boolean;
+            /**
+             * Cause
+             * @default REFUSAL_CAUSE_UNSPECIFIED
+             * @enum {string}
+             */
+            cause: "REFUSAL_CAUSE_UNSPECIFIED" | "REFUSAL_CAUSE_LATE" | "REFUSAL_CAUSE_BUSY" | "REFUSAL_CAUSE_OVERTAKEN" | "REFUSAL_CAUSE_STALE_REVISION" | "REFUSAL_CAUSE_NO_HEADER" | "REFUSAL_CAUSE_NOT_ADDRESSED";
+            /** Id */
+            id: string;
             /** Problems */
             problems: components["schemas"]["Problem"][];
             /** Reason */
@@ -900,6 +1255,42 @@ export interface components {
              * @default
              */
             run_id: string;
+        };
+        /**
+         * Counted
+         * @description One kind of what was not taken as it came, with its last example.
+         */
+        Counted: {
+            /** Count */
+            count: number;
+            /** Example */
+            example: string;
+            /** Kind */
+            kind: string;
+            /** Last */
+            last: string | null;
+            /** Meaning */
+            meaning: string;
+        };
+        /**
+         * Diagnostics
+         * @description Nothing silent: every kind that is counted, also those that never happened.
+         */
+        Diagnostics: {
+            /** Audit Trouble */
+            audit_trouble: string;
+            /** Bus Notice */
+            bus_notice: string;
+            /** Clock Offset S */
+            clock_offset_s: number;
+            /** Counted */
+            counted: components["schemas"]["Counted"][];
+            /** Left Out */
+            left_out: components["schemas"]["LeftOut"][];
+            /** Topics */
+            topics: components["schemas"]["TopicAge"][];
+            /** Vehicle Session */
+            vehicle_session: string;
         };
         /**
          * DraftAnswer
@@ -1391,6 +1782,18 @@ export interface components {
             yaml: string;
         };
         /**
+         * LeftOut
+         * @description A file or folder in the data folder that stands in no list, and why.
+         */
+        LeftOut: {
+            /** Folder */
+            folder: string;
+            /** Name */
+            name: string;
+            /** Reason */
+            reason: string;
+        };
+        /**
          * Marked
          * @description What to note of a mission; null leaves as it is.
          */
@@ -1405,6 +1808,7 @@ export interface components {
          * @description A run's figures of merit.
          */
         Metrics: {
+            capture: components["schemas"]["CaptureMetrics"] | null;
             /**
              * Cycles
              * @default 0
@@ -1595,6 +1999,11 @@ export interface components {
              * @default
              */
             end_reason: string;
+            /**
+             * Held S
+             * @default 0
+             */
+            held_s: number | null;
             /**
              * Mission Name
              * @default
@@ -1992,6 +2401,22 @@ export interface components {
             [key: string]: unknown;
         };
         /**
+         * ReplayAnswer
+         * @description How long it is, and what happened in it. Times are mission times, s.
+         */
+        ReplayAnswer: {
+            /** Cycles */
+            cycles: number;
+            /** Events */
+            events: components["schemas"]["RunEvent"][];
+            /** First S */
+            first_s: number | null;
+            /** Last S */
+            last_s: number | null;
+            /** Run */
+            run: string;
+        };
+        /**
          * RunAnswer
          * @description A run in the list; of one being recorded, how far it is.
          */
@@ -2030,6 +2455,33 @@ export interface components {
             state: "recording" | "complete" | "interrupted";
             /** Vehicle */
             vehicle: string;
+        };
+        /**
+         * RunEvent
+         * @description One event of a run.
+         */
+        RunEvent: {
+            /**
+             * Code
+             * @default
+             */
+            code: string;
+            /** Details */
+            details: {
+                [key: string]: string;
+            };
+            /**
+             * Severity
+             * @default SEVERITY_UNSPECIFIED
+             * @enum {string}
+             */
+            severity: "SEVERITY_UNSPECIFIED" | "SEVERITY_INFO" | "SEVERITY_WARNING" | "SEVERITY_ALARM";
+            stamp: components["schemas"]["Stamp"] | null;
+            /**
+             * Text
+             * @default
+             */
+            text: string;
         };
         /**
          * Schema
@@ -2128,6 +2580,16 @@ export interface components {
          */
         Status: {
             /**
+             * Bus Notice
+             * @default
+             */
+            bus_notice: string;
+            /**
+             * Clock Offset S
+             * @default 0
+             */
+            clock_offset_s: number | null;
+            /**
              * Link
              * @default LINK_STATE_UNSPECIFIED
              * @enum {string}
@@ -2175,6 +2637,11 @@ export interface components {
              */
             server_version: string;
             /**
+             * Set Aside
+             * @default 0
+             */
+            set_aside: string;
+            /**
              * Stream Clients
              * @default 0
              */
@@ -2189,6 +2656,8 @@ export interface components {
              * @default 0
              */
             time_ns: string;
+            /** Topics */
+            topics: components["schemas"]["TopicFreshness"][];
             vehicle: components["schemas"]["SeenVehicle"] | null;
             /**
              * Vehicle Id
@@ -2356,6 +2825,46 @@ export interface components {
             /** To */
             to: string;
         };
+        /**
+         * TopicAge
+         * @description How old the last message of a topic is. `late`: older than its rate allows, or never heard.
+         */
+        TopicAge: {
+            /** Age S */
+            age_s: number | null;
+            /** Fresh For S */
+            fresh_for_s: number;
+            /** Late */
+            late: boolean;
+            /** Topic */
+            topic: string;
+        };
+        /**
+         * TopicFreshness
+         * @description bumpless.TopicFreshness as JSON.
+         */
+        TopicFreshness: {
+            /**
+             * Age S
+             * @default 0
+             */
+            age_s: number | null;
+            /**
+             * Fresh For S
+             * @default 0
+             */
+            fresh_for_s: number | null;
+            /**
+             * Late
+             * @default false
+             */
+            late: boolean;
+            /**
+             * Topic
+             * @default
+             */
+            topic: string;
+        };
         /** ValidationError */
         ValidationError: {
             /** Context */
@@ -2429,6 +2938,244 @@ export interface components {
 }
 export type $defs = Record<string, never>;
 export interface operations {
+    alarms_api_alarms_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["AlarmsAnswer"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    acknowledge_api_alarms__alarm__acknowledge_post: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                alarm: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: {
+            content: {
+                "application/json": components["schemas"]["Body_acknowledge_api_alarms__alarm__acknowledge_post"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    shelve_api_alarms__alarm__shelve_post: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                alarm: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: {
+            content: {
+                "application/json": components["schemas"]["Body_shelve_api_alarms__alarm__shelve_post"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    audit_api_audit_get: {
+        parameters: {
+            query?: {
+                limit?: number;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["AuditEntry"][];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    audit_file_api_audit_jsonl_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/jsonl": unknown;
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    diagnostics_api_diagnostics_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Diagnostics"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
     drafts_api_drafts_get: {
         parameters: {
             query?: never;
@@ -2449,6 +3196,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2487,6 +3243,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     fields_api_fields__kind__get: {
@@ -2511,6 +3276,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2547,6 +3321,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     binned_api_mission_bin_get: {
@@ -2569,6 +3352,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2607,6 +3399,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     mission_templates_api_mission_templates_get: {
@@ -2631,6 +3432,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2671,6 +3481,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     change_api_mission__verb__post: {
@@ -2695,6 +3514,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2731,6 +3559,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     upload_api_missions_post: {
@@ -2756,6 +3593,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2798,6 +3644,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     give_out_api_missions_export_post: {
@@ -2826,6 +3681,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2870,6 +3734,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     mission_api_missions__name__get: {
@@ -2894,6 +3767,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2938,6 +3820,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     remove_api_missions__name__delete: {
@@ -2969,6 +3860,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     draft_api_missions__name__draft_get: {
@@ -2993,6 +3893,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -3035,6 +3944,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     drop_draft_api_missions__name__draft_delete: {
@@ -3057,6 +3975,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -3099,6 +4026,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     export_api_missions__name__export_get: {
@@ -3132,6 +4068,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     file_api_missions__name__file_get: {
@@ -3154,6 +4099,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -3192,6 +4146,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     history_api_missions__name__history_get: {
@@ -3216,6 +4179,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -3248,6 +4220,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -3290,6 +4271,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     rename_api_missions__name__rename_post: {
@@ -3318,6 +4308,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -3354,6 +4353,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     change_api_parameters_put: {
@@ -3383,6 +4391,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     vehicles_api_planning_get: {
@@ -3405,6 +4422,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -3443,6 +4469,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     presets_api_presets_get: {
@@ -3465,6 +4500,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -3503,6 +4547,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     save_api_presets__name__put: {
@@ -3527,6 +4580,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -3563,6 +4625,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     runs_api_runs_get: {
@@ -3585,6 +4656,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -3623,6 +4703,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     remove_api_runs__run__delete: {
@@ -3645,6 +4734,101 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    at_api_runs__run__at_get: {
+        parameters: {
+            query: {
+                t: number;
+            };
+            header?: never;
+            path: {
+                run: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/octet-stream": unknown;
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    frames_api_runs__run__frames_get: {
+        parameters: {
+            query: {
+                from_s: number;
+                to_s: number;
+                most?: number;
+            };
+            header?: never;
+            path: {
+                run: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/octet-stream": unknown;
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -3683,6 +4867,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     metrics_api_runs__run__metrics_get: {
@@ -3707,6 +4900,55 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    replay_api_runs__run__replay_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                run: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ReplayAnswer"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -3778,6 +5020,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     status_api_status_get: {
@@ -3807,6 +5058,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     vehicle_api_vehicle_get: {
@@ -3829,6 +5089,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };

@@ -9,8 +9,8 @@ from dataclasses import dataclass
 from html import escape
 from typing import Any, Self
 
+from bumpless.campaign.summary import share_of
 from bumpless_paper.report.ticks import number, share
-from bumpless_paper.study.interval import share_interval
 
 UNMEASURED = "not measured in this page"
 
@@ -101,4 +101,5 @@ def _true_wrench(honest: Any, of: str) -> Row:
 
 
 def _interval(count: int, of: int) -> str:
-    return " – ".join(share(end, 1) for end in share_interval(count, of))
+    found = share_of(count, of)
+    return " – ".join(share(end, 1) for end in (found.low, found.high))

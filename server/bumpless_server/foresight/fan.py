@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import replace
+from typing import cast
 
 from bumpless.campaign.flight import Hangar
 from bumpless.campaign.prepared import Prepared, Setup
@@ -29,9 +30,9 @@ def _told(flown: Sketch) -> ForesightFlight:
     return ForesightFlight(
         number=flown.number,
         seed=flown.seed,
-        outcome=flown.decided.outcome.value,
+        outcome=flown.outcome.ending.value,
         end_s=flown.end_s,
-        closest_m=flown.closest_m,
+        closest_m=cast("float", flown.outcome.closest_m),  # a twin knows the truth
         north_m=path[:, 0].tolist(),
         east_m=path[:, 1].tolist(),
         depth_m=path[:, 2].tolist(),

@@ -10,9 +10,11 @@ from bumpless.config.mission import Mission, MissionError, missions_folder, pars
 from bumpless.config.problems import Problem
 from bumpless.config.vehicle import Vehicle
 from bumpless_server.data_dir import write_whole
-from bumpless_server.files import BadName, checked_name
+from bumpless_server.files import BadName, checked_name, why_no_file
+from bumpless_server.live.tally import printable
 
 ENDINGS = (".yaml", ".yml")
+MOST_BYTES = 4_000_000
 
 
 class MissionExists(Exception):
@@ -65,10 +67,23 @@ class Missions:
             for folder in (self._builtin, self._uploads)
             for ending in ENDINGS
             for path in folder.glob(f"*{ending}")
-            if not path.name.startswith(".") and path.is_file()
+            if not path.name.startswith(".") and not self._why_not(path)
         ]
         found = {path.stem: self._load(path) for path in reversed(paths)}
         return sorted(found.values(), key=lambda file: (not file.builtin, file.name))
+
+    def left_out(self) -> dict[str, str]:
+        """Entries of the uploads' folder that are in no list, with the reason."""
+        entries = (path for ending in ENDINGS for path in self._uploads.glob(f"*{ending}"))
+        told = {printable(path.name): self._why_not(path) for path in entries if path.name[0] != "."}
+        return {name: reason for name, reason in sorted(told.items()) if reason}
+
+    @staticmethod
+    def _why_not(path: Path) -> str:
+        try:
+            return why_no_file(path, most_bytes=MOST_BYTES)
+        except FileNotFoundError:
+            return "it has just gone"
 
     def get(self, name: str) -> MissionFile | None:
         """One mission; `name` with or without .yaml."""
@@ -121,8 +136,9 @@ class Missions:
             file = MissionFile(path.stem, path, builtin, data, parse_planned(data, path.name, vehicle))
         except MissionError as error:
             file = MissionFile(path.stem, path, builtin, data, None, error.problems)
-        except OSError as error:
-            problem = Problem(path.name, None, None, "", None, f"cannot be read: {error.strerror}")
+        except Exception as error:  # whatever one odd file makes of its reader, the others stay in the list
+            why = getattr(error, "strerror", None) or f"{type(error).__name__}: {error}"
+            problem = Problem(path.name, None, None, "", None, printable(f"cannot be read: {why}"))
             file = MissionFile(path.stem, path, builtin, data, None, (problem,))
         self._read[path] = (mark, file)
         return file

@@ -14,8 +14,11 @@ from bumpless_server.web import errors
 from bumpless_server.web.auth import Auth, session_cookie
 from bumpless_server.web.body_limit import BodyLimit
 from bumpless_server.web.guard import Guard
+from bumpless_server.web.guesses import Guesses
 from bumpless_server.web.routes import (
+    alarms,
     declared,
+    diagnostics,
     exchange,
     findings,
     foresight,
@@ -25,6 +28,7 @@ from bumpless_server.web.routes import (
     page,
     parameters,
     planning,
+    replay,
     runs,
     status,
     stream,
@@ -36,6 +40,8 @@ ROUTERS = tuple(
     part.router
     for part in (
         status,
+        diagnostics,
+        alarms,
         missions,
         findings,
         exchange,
@@ -43,6 +49,7 @@ ROUTERS = tuple(
         planning,
         parameters,
         declared,
+        replay,
         runs,
         stream,
         foresight,
@@ -70,7 +77,7 @@ def create_app(settings: Settings, console: Console | None = None) -> FastAPI:
     app.state.console = console
     app.state.auth = auth = Auth(settings, console.data.secret())
     app.add_middleware(BodyLimit, max_bytes=settings.upload_bytes)
-    app.add_middleware(Guard, auth=auth)
+    app.add_middleware(Guard, auth=auth, guesses=Guesses(console.tally.note))
     errors.install(app)
     for router in ROUTERS:
         app.include_router(router)

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class View:
-    """One view; its address is `#id`."""
+    """One view; its address is `#/id`."""
 
     id: str
     name: str

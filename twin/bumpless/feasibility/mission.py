@@ -3,6 +3,7 @@
 from bumpless.config.mission import Mission
 from bumpless.config.parameters import default_parameters, with_overrides
 from bumpless.config.vehicle import Vehicle, load_vehicle
+from bumpless.feasibility.dock import check_dock
 from bumpless.feasibility.finding import Finding
 from bumpless.feasibility.holding import check_station
 from bumpless.feasibility.path import check_end, check_legs, check_time
@@ -17,6 +18,7 @@ def check_mission(mission: Mission, vehicle: Vehicle | None = None) -> tuple[Fin
         *check_legs(mission, vehicle, parameters),
         *check_time(mission, parameters),
         *check_end(mission),
+        *check_dock(mission, vehicle, parameters),
         *check_sight(mission, vehicle, parameters),
         *check_first_sight(mission, vehicle, parameters),
         *check_station(mission, vehicle, parameters),

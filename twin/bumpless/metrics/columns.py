@@ -49,6 +49,11 @@ class Columns:
     tried: Integers  # (n,) approaches begun
     reason: Integers  # (n,) WaveOffReason of the last wave-off; 0: none yet
     approach: Floats  # (n,) approach heading in use, rad; where `stage` is not 0
+    captured: Integers  # (n,) 1: the latch of a dock to enter has closed
+    contact_force: Floats  # (n,) N, largest normal force of that dock since the row before; truth
+    contact_most: Floats  # (n,) N, what dock and hull bear; 0 where there is no dock to enter; truth
+    nose_depth: Floats  # (n,) m, of the nose behind its entry; truth
+    nose_offset: Floats  # (n,) m, of the nose from its axis; truth
     u: Floats  # (n, n_u) commands, rad or rev/s
     u_feedback: Floats  # (n, n_u) as measured
     du_max: Floats  # (n, n_u) increment bound of the cycle

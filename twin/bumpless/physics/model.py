@@ -4,10 +4,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bumpless.config.vehicle import Vehicle
-from bumpless.config.vehicle.parts import Mass
+from bumpless.config.vehicle.parts import Mass, MyringHull
 from bumpless.contract.units import WRENCH
 from bumpless.physics.actuators import fill_actuator
+from bumpless.physics.dock.contact import hull_rings
 from bumpless.physics.hydrodynamics import hull_coefficients
+from bumpless.physics.hydrodynamics.myring import HullStrips
 from bumpless.physics.model_record import MODEL
 
 
@@ -31,6 +33,9 @@ def build_model(vehicle: Vehicle) -> np.record:
     model["D_quadratic"] = coefficients.D_quadratic
     model["D_lift"] = coefficients.D_lift
     model["controllable"] = [float(name in vehicle.controllable) for name in WRENCH]
+    if isinstance(vehicle.hull, MyringHull):
+        strips = HullStrips(vehicle.hull)
+        model["rings"] = hull_rings(strips.x[::-1], strips.radius[::-1])[0]
     end = 0
     for actuator in vehicle.actuators:
         end = fill_actuator(model, end, actuator, water.water_density_kgpm3)

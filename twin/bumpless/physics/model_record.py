@@ -5,6 +5,7 @@ vehicle: capacity is fixed (`MAX_ACTUATORS`), unused entries are zero. Order of 
 import numpy as np
 
 from bumpless.config.capacity import MAX_ACTUATORS as _n
+from bumpless.physics.dock.record import HULL_RINGS
 
 f8, i8 = np.float64, np.int64
 
@@ -24,6 +25,7 @@ MODEL = np.dtype(
         ("D_linear", f8, (6, 6)),
         ("D_quadratic", f8, (6, 6)),
         ("D_lift", f8, (6, 6)),
+        ("rings", HULL_RINGS),  # of a hull of revolution, from the nose; what can touch a dock
         ("controllable", f8, 6),  # 1 where the actuators can act, 0 elsewhere (S_c)
         # one entry for each command; what belongs to an actuator stands at its first, see `physics.actuators`
         ("n_u", i8),

@@ -2,16 +2,16 @@
 
 from fastapi import APIRouter, Body, Request, Response
 from fastapi.concurrency import run_in_threadpool
-from google.protobuf.message import Message
 from pydantic import BaseModel, ConfigDict, Field
 
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless_server.plan.marks import Mark
-from bumpless_server.web.answers.contract import CommandReply, told
+from bumpless_server.web.answers.contract import CommandReply
 from bumpless_server.web.answers.missions import MissionDetail, MissionSummary
 from bumpless_server.web.answers.refusal import REFUSALS
 from bumpless_server.web.errors import Refusal
 from bumpless_server.web.routes import Served
+from bumpless_server.web.routes.commanding import Asked
 from bumpless_server.web.routes.findings import refuse_hopeless
 
 router = APIRouter(prefix="/api", responses=REFUSALS)
@@ -37,16 +37,6 @@ async def text_of(request: Request) -> str:
         return body.decode("utf-8")
     except UnicodeDecodeError as error:
         raise Refusal(422, f"must be UTF-8 text; byte {error.start} is not") from error
-
-
-def carry_out(console: Served, verb: str, request: Message) -> CommandReply:
-    """Ask the vehicle; its refusal is a 409 with its reason."""
-    reply = told(console.command(verb, request), CommandReply)
-    if not reply.accepted:
-        answer = reply.model_dump()
-        problems = answer.pop("problems")
-        raise Refusal(409, answer["reason"] or f"the vehicle refuses '{verb}'", problems, **answer)
-    return reply
 
 
 @router.get("/missions")
@@ -75,9 +65,7 @@ async def upload(
     return MissionDetail.of(file, console.library.marks.of(file.name))
 
 
-@router.post("/mission/start")
-def start(console: Served, wanted: Start = Body(...)) -> CommandReply:
-    """Fly a stored mission."""
+def _start_request(console: Served, wanted: Start) -> pb.StartMission:
     file = console.missions.get(wanted.name)
     if file is None:
         raise Refusal(404, f"there is no mission {wanted.name!r}")
@@ -86,15 +74,22 @@ def start(console: Served, wanted: Start = Body(...)) -> CommandReply:
     if wanted.sha256 is not None and wanted.sha256 != file.mission.sha256:
         raise Refusal(409, f"{file.name} was changed since it was shown: look at it again, then start")
     refuse_hopeless(console, file, wanted.despite_findings)
-    request = pb.StartMission(
+    return pb.StartMission(
         file_name=file.path.name, mission_yaml=file.text, seed=wanted.seed, operator=wanted.operator
     )
-    return carry_out(console, "start", request)
+
+
+@router.post("/mission/start")
+async def start(console: Served, asked: Asked, wanted: Start = Body(...)) -> CommandReply:
+    """Fly a stored mission."""
+    request = await run_in_threadpool(_start_request, console, wanted)
+    details = {"mission": request.file_name, "seed": wanted.seed}
+    return await asked.carry_out("start", request, author=wanted.operator, **details)
 
 
 @router.post("/mission/{verb}")
-def change(console: Served, verb: str) -> CommandReply:
+async def change(asked: Asked, verb: str) -> CommandReply:
     """Pause, resume or abort."""
     if verb not in ("pause", "resume", "abort"):
         raise Refusal(404, f"there is no command {verb!r}")
-    return carry_out(console, verb, pb.Empty())
+    return await asked.carry_out(verb, pb.Empty())

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from bumpless.campaign.declaration import Weights
+from bumpless.campaign.figures import TRACKING
 from bumpless.campaign.flight import Row
-from bumpless.campaign.tracking import TRACKING
 from bumpless.config.declare import as_table
 from bumpless.metrics.outcome import Ending
 

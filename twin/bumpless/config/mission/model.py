@@ -12,6 +12,7 @@ from typing import Annotated, Any, Literal
 
 from bumpless.config.capacity import MAX_FAULTS, MAX_WAYPOINTS
 from bumpless.config.declare import Choice, Entries, Number, Overrides, Part, Row, Text, model
+from bumpless.config.mission.dock import Dock, Motion
 from bumpless.config.mission.notes import Vector3, direction, moment, position
 from bumpless.config.mission.origin import Origin
 from bumpless.config.mission.sea import Environment
@@ -80,6 +81,24 @@ class Target:
         Choice("How the approach heading is chosen",
                help="heading: heading_deg within its tolerance; into_current: from any side."),
     ] = "heading"  # fmt: skip
+    dock_width_m: Annotated[
+        float, Number("Width and height of the dock about its axis", "m", 0.0, 100.0,
+                      help="The axis leads through the target along heading_deg."),
+    ] = 2.0  # fmt: skip
+    dock_length_m: Annotated[float, Number("Length of the dock behind the target", "m", 0.0, 100.0)] = 1.5
+
+    @property
+    def turns(self) -> bool:
+        """Whether the dock turns with the approach, or is open all round, so that any side will do."""
+        return self.turn_deg >= 90.0
+
+    @property
+    def dock_radius_m(self) -> float:
+        """Of the circle about the target that holds the dock."""
+        return math.hypot(0.5 * self.dock_width_m, self.dock_length_m)
+
+    dock: Annotated[Dock | None, Part("Dock to enter, behind the observation point")] = None
+    motion: Annotated[Motion | None, Part("Motion of a hung dock")] = None
 
     @property
     def turn_deg(self) -> float:

@@ -63,6 +63,14 @@ def largest_crab(settings, along, left):
 @jit
 def line_heading(dt, settings, current, u_r, learn, view, docking):
     """psi_d that follows the approach line, rad. u_r: speed ahead through water; learn: drift is learnt."""
+    along, _ = along_across(current, docking.heading)
+    most = largest_crab(settings, along, view.left)
+    return steer(dt, settings, current, u_r, learn, most, view, docking)
+
+
+@jit
+def steer(dt, settings, current, u_r, learn, most, view, docking):
+    """The same within a heading correction whose sine is `most`."""
     along, across = along_across(current, docking.heading)
     y = view.aside - aim_aside(settings, along, across + docking.drift)
     delta = settings.look_ahead + settings.look_ahead_slope * abs(u_r)
@@ -71,7 +79,6 @@ def line_heading(dt, settings, current, u_r, learn, view, docking):
         docking.drift += dt * settings.lateral_integral * abs(u_r) * y
         docking.drift = min(max(docking.drift, -_DRIFT_MOST), _DRIFT_MOST)
     rate = wanted - across - docking.drift - settings.lateral_damping * (docking.lateral_rate - wanted)
-    most = largest_crab(settings, along, view.left)
     sine = rate * u_r / (u_r * u_r + settings.flow_floor * settings.flow_floor)
     return wrap(docking.heading + asin(min(max(sine, -most), most)))
 
