@@ -16,7 +16,7 @@ from typing import Any
 import numba
 import numpy as np
 
-from bumpless.jit.cache import claim
+from bumpless.jit.cache import claim, usable
 
 try:
     from bumpless.jit.parts import Function
@@ -54,7 +54,7 @@ def cache_folder() -> Path:
 
 
 if not os.environ.get("NUMBA_CACHE_DIR"):
-    numba.config.CACHE_DIR = str(claim(cache_folder()))  # type: ignore[attr-defined]
+    numba.config.CACHE_DIR = str(claim(usable(cache_folder())))  # type: ignore[attr-defined]
 
 
 _OPTIONS = {"nopython": True, "nogil": True, "error_model": "numpy"}
