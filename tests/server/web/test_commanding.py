@@ -117,11 +117,9 @@ def test_hanging_commands_keep_nobody_else_waiting(make_settings: Make) -> None:
     def hang(query: zenoh.Query) -> None:
         if str(query.key_expr).endswith("abort"):
             with query:
-                header = (
-                    pb.RequestHeader.FromString(query.attachment.to_bytes()) if query.attachment else None
-                )
-                aborted.append(header.id if header else "")
-                reply = pb.CommandReply(accepted=True, id=aborted[-1])
+                assert query.attachment is not None
+                header = pb.RequestHeader.FromString(query.attachment.to_bytes())
+                reply = pb.CommandReply(accepted=True, id=header.id)
                 query.reply(query.key_expr, reply.SerializeToString())
             return
         waiting.append(query)
