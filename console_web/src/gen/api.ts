@@ -4,6 +4,66 @@
  */
 
 export interface paths {
+    "/api/audit": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Audit
+         * @description The last commands, newest first; also those from before a restart.
+         */
+        get: operations["audit_api_audit_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/audit.jsonl": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Audit File
+         * @description All commands ever, one JSON object a line.
+         */
+        get: operations["audit_file_api_audit_jsonl_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/diagnostics": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Diagnostics
+         * @description Counters by kind, age of each topic, files left out, clock and bus.
+         */
+        get: operations["diagnostics_api_diagnostics_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/events": {
         parameters: {
             query?: never;
@@ -166,7 +226,7 @@ export interface paths {
         get: operations["parameters_api_parameters_get"];
         /**
          * Change
-         * @description Ask the vehicle to fly with these, all of them.
+         * @description Ask the vehicle to fly with these, all of them; `If-Match` refuses a change of an old revision.
          */
         put: operations["change_api_parameters_put"];
         post?: never;
@@ -409,6 +469,38 @@ export interface components {
             unit: string;
         };
         /**
+         * AuditEntry
+         * @description One command: who asked for what, and what came of it.
+         */
+        AuditEntry: {
+            /** Address */
+            address: string;
+            /**
+             * Answer
+             * @enum {string}
+             */
+            answer: "accepted" | "refused" | "none";
+            /** Author */
+            author: string;
+            /** Details */
+            details: {
+                [key: string]: unknown;
+            };
+            /** Id */
+            id: string;
+            /** Said */
+            said: string;
+            /**
+             * Time
+             * Format: date-time
+             */
+            time: string;
+            /** Took S */
+            took_s: number;
+            /** Verb */
+            verb: string;
+        };
+        /**
          * BumplessParameters
          * @description bumpless.BumplessParameters as JSON.
          */
@@ -466,10 +558,7 @@ export interface components {
              * @enum {string}
              */
             cause: "REFUSAL_CAUSE_UNSPECIFIED" | "REFUSAL_CAUSE_LATE" | "REFUSAL_CAUSE_BUSY" | "REFUSAL_CAUSE_OVERTAKEN" | "REFUSAL_CAUSE_STALE_REVISION" | "REFUSAL_CAUSE_NO_HEADER" | "REFUSAL_CAUSE_NOT_ADDRESSED";
-            /**
-             * Id
-             * @default
-             */
+            /** Id */
             id: string;
             /** Problems */
             problems: components["schemas"]["Problem"][];
@@ -482,6 +571,42 @@ export interface components {
              * @default
              */
             run_id: string;
+        };
+        /**
+         * Counted
+         * @description One kind of what was not taken as it came, with its last example.
+         */
+        Counted: {
+            /** Count */
+            count: number;
+            /** Example */
+            example: string;
+            /** Kind */
+            kind: string;
+            /** Last */
+            last: string | null;
+            /** Meaning */
+            meaning: string;
+        };
+        /**
+         * Diagnostics
+         * @description Nothing silent: every kind that is counted, also those that never happened.
+         */
+        Diagnostics: {
+            /** Audit Trouble */
+            audit_trouble: string;
+            /** Bus Notice */
+            bus_notice: string;
+            /** Clock Offset S */
+            clock_offset_s: number;
+            /** Counted */
+            counted: components["schemas"]["Counted"][];
+            /** Left Out */
+            left_out: components["schemas"]["LeftOut"][];
+            /** Topics */
+            topics: components["schemas"]["TopicAge"][];
+            /** Vehicle Session */
+            vehicle_session: string;
         };
         /**
          * EndErrors
@@ -594,6 +719,18 @@ export interface components {
             status: "ok";
             /** Version */
             version: string;
+        };
+        /**
+         * LeftOut
+         * @description A file or folder in the data folder that stands in no list, and why.
+         */
+        LeftOut: {
+            /** Folder */
+            folder: string;
+            /** Name */
+            name: string;
+            /** Reason */
+            reason: string;
         };
         /**
          * Metrics
@@ -1455,6 +1592,20 @@ export interface components {
             ];
         };
         /**
+         * TopicAge
+         * @description How old the last message of a topic is. `late`: older than its rate allows, or never heard.
+         */
+        TopicAge: {
+            /** Age S */
+            age_s: number | null;
+            /** Fresh For S */
+            fresh_for_s: number;
+            /** Late */
+            late: boolean;
+            /** Topic */
+            topic: string;
+        };
+        /**
          * TopicFreshness
          * @description bumpless.TopicFreshness as JSON.
          */
@@ -1524,6 +1675,122 @@ export interface components {
 }
 export type $defs = Record<string, never>;
 export interface operations {
+    audit_api_audit_get: {
+        parameters: {
+            query?: {
+                limit?: number;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["AuditEntry"][];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    audit_file_api_audit_jsonl_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/jsonl": unknown;
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    diagnostics_api_diagnostics_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Diagnostics"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
     events_api_events_get: {
         parameters: {
             query?: {
@@ -1546,6 +1813,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -1584,6 +1860,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     health_api_health_get: {
@@ -1606,6 +1891,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -1646,6 +1940,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     change_api_mission__verb__post: {
@@ -1677,6 +1980,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     missions_api_missions_get: {
@@ -1699,6 +2011,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -1738,6 +2059,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     mission_api_missions__name__get: {
@@ -1762,6 +2092,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -1798,6 +2137,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     parameters_api_parameters_get: {
@@ -1820,6 +2168,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -1856,6 +2213,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     presets_api_presets_get: {
@@ -1878,6 +2244,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -1916,6 +2291,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     save_api_presets__name__put: {
@@ -1940,6 +2324,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -1976,6 +2369,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     runs_api_runs_get: {
@@ -1998,6 +2400,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2036,6 +2447,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     remove_api_runs__run__delete: {
@@ -2058,6 +2478,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2096,6 +2525,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     metrics_api_runs__run__metrics_get: {
@@ -2120,6 +2558,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2191,6 +2638,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     status_api_status_get: {
@@ -2220,6 +2676,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     vehicle_api_vehicle_get: {
@@ -2242,6 +2707,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };

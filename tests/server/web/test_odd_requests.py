@@ -102,9 +102,7 @@ def test_an_upload_on_a_full_disk_says_so(alone: Running, monkeypatch: pytest.Mo
     assert answer.status_code == 507 and answer.json()["detail"] == "the disk has no room; nothing was kept"
 
 
-def test_what_nobody_foresaw_tells_nothing_of_the_inside(
-    alone: Running, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_what_nobody_foresaw_tells_nothing_of_it(alone: Running, monkeypatch: pytest.MonkeyPatch) -> None:
     """Protects: an answer in our one shape, without paths, names or code."""
 
     def broken(*_: object) -> None:
