@@ -12,7 +12,7 @@ class DataDirError(RuntimeError):
 
 
 class DataDir:
-    """data_dir/{runs,missions,presets,limits}, alarms.json, index.sqlite, node.json, node.log, secret and a lock."""
+    """data_dir/{runs,missions,presets,limits}, alarms.json, index.sqlite, node.json, node.log, secret, a lock."""
 
     def __init__(self, root: Path) -> None:
         self.root = root

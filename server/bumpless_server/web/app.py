@@ -16,6 +16,7 @@ from bumpless_server.web.body_limit import BodyLimit
 from bumpless_server.web.guard import Guard
 from bumpless_server.web.routes import (
     alarms,
+    compare,
     declared,
     help,
     missions,
@@ -30,7 +31,7 @@ from bumpless_server.web.routes import (
 log = logging.getLogger(__name__)
 
 ROUTERS = tuple(
-    part.router for part in (status, alarms, missions, parameters, declared, replay, runs, stream)
+    part.router for part in (status, alarms, compare, missions, parameters, declared, replay, runs, stream)
 )
 
 
