@@ -4,7 +4,7 @@
  */
 
 export interface paths {
-    "/api/audit": {
+    "/api/alarms": {
         parameters: {
             query?: never;
             header?: never;
@@ -12,10 +12,10 @@ export interface paths {
             cookie?: never;
         };
         /**
-         * Audit
-         * @description The last commands, newest first; also those from before a restart.
+         * Alarms
+         * @description All alarms.
          */
-        get: operations["audit_api_audit_get"];
+        get: operations["alarms_api_alarms_get"];
         put?: never;
         post?: never;
         delete?: never;
@@ -24,27 +24,47 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/audit.jsonl": {
+    "/api/alarms/{alarm}/acknowledge": {
         parameters: {
             query?: never;
             header?: never;
             path?: never;
             cookie?: never;
         };
-        /**
-         * Audit File
-         * @description All commands ever, one JSON object a line.
-         */
-        get: operations["audit_file_api_audit_jsonl_get"];
+        get?: never;
         put?: never;
-        post?: never;
+        /**
+         * Acknowledge
+         * @description Somebody has seen it. One whose cause has gone is over with that.
+         */
+        post: operations["acknowledge_api_alarms__alarm__acknowledge_post"];
         delete?: never;
         options?: never;
         head?: never;
         patch?: never;
         trace?: never;
     };
-    "/api/diagnostics": {
+    "/api/alarms/{alarm}/shelve": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Shelve
+         * @description Keep it out of the way for a time; it comes back by itself.
+         */
+        post: operations["shelve_api_alarms__alarm__shelve_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/compare": {
         parameters: {
             query?: never;
             header?: never;
@@ -52,10 +72,10 @@ export interface paths {
             cookie?: never;
         };
         /**
-         * Diagnostics
-         * @description Counters by kind, age of each topic, files left out, clock and bus.
+         * Compared
+         * @description Two to six runs; the first is what the others are compared with.
          */
-        get: operations["diagnostics_api_diagnostics_get"];
+        get: operations["compared_api_compare_get"];
         put?: never;
         post?: never;
         delete?: never;
@@ -226,7 +246,7 @@ export interface paths {
         get: operations["parameters_api_parameters_get"];
         /**
          * Change
-         * @description Ask the vehicle to fly with these, all of them; `If-Match` refuses a change of an old revision.
+         * @description Ask the vehicle to fly with these, all of them.
          */
         put: operations["change_api_parameters_put"];
         post?: never;
@@ -328,6 +348,48 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/runs/{run}/at": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * At
+         * @description What was known at mission time `t`, s: one StreamFrame with the last message of each topic.
+         */
+        get: operations["at_api_runs__run__at_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/runs/{run}/frames": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Frames
+         * @description The cycles of a range as StreamFrames, each behind its length (32 bit, little endian).
+         *
+         *     Where there are more than `most`, cycles are left out evenly.
+         */
+        get: operations["frames_api_runs__run__frames_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/runs/{run}/log.mcap": {
         parameters: {
             query?: never;
@@ -360,6 +422,26 @@ export interface paths {
          * @description The run's bumpless.Metrics.
          */
         get: operations["metrics_api_runs__run__metrics_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/runs/{run}/replay": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Replay
+         * @description How long the run is and what happened in it.
+         */
+        get: operations["replay_api_runs__run__replay_get"];
         put?: never;
         post?: never;
         delete?: never;
@@ -469,36 +551,96 @@ export interface components {
             unit: string;
         };
         /**
-         * AuditEntry
-         * @description One command: who asked for what, and what came of it.
+         * Alarm
+         * @description One alarm, from its cause to the person who saw it.
          */
-        AuditEntry: {
-            /** Address */
-            address: string;
+        Alarm: {
             /**
-             * Answer
-             * @enum {string}
+             * Acknowledged By
+             * @default
              */
-            answer: "accepted" | "refused" | "none";
-            /** Author */
-            author: string;
+            acknowledged_by: string;
+            /**
+             * Acknowledged Ns
+             * @default 0
+             */
+            acknowledged_ns: string;
+            /**
+             * Code
+             * @default
+             */
+            code: string;
+            /**
+             * Count
+             * @default 0
+             */
+            count: number;
             /** Details */
             details: {
-                [key: string]: unknown;
+                [key: string]: string;
             };
-            /** Id */
-            id: string;
-            /** Said */
-            said: string;
             /**
-             * Time
-             * Format: date-time
+             * Id
+             * @default
              */
-            time: string;
-            /** Took S */
-            took_s: number;
-            /** Verb */
-            verb: string;
+            id: string;
+            /**
+             * Raised Ns
+             * @default 0
+             */
+            raised_ns: string;
+            /**
+             * Returned Ns
+             * @default 0
+             */
+            returned_ns: string;
+            /**
+             * Severity
+             * @default SEVERITY_UNSPECIFIED
+             * @enum {string}
+             */
+            severity: "SEVERITY_UNSPECIFIED" | "SEVERITY_INFO" | "SEVERITY_WARNING" | "SEVERITY_ALARM";
+            /**
+             * Shelved Until Ns
+             * @default 0
+             */
+            shelved_until_ns: string;
+            /**
+             * Text
+             * @default
+             */
+            text: string;
+        };
+        /**
+         * AlarmsAnswer
+         * @description Those not over, worst first, and those that are, newest first.
+         */
+        AlarmsAnswer: {
+            /** History */
+            history: components["schemas"]["Alarm"][];
+            /** Open */
+            open: components["schemas"]["Alarm"][];
+        };
+        /** Body_acknowledge_api_alarms__alarm__acknowledge_post */
+        Body_acknowledge_api_alarms__alarm__acknowledge_post: {
+            /**
+             * By
+             * @default operator
+             */
+            by?: string;
+        };
+        /** Body_shelve_api_alarms__alarm__shelve_post */
+        Body_shelve_api_alarms__alarm__shelve_post: {
+            /**
+             * By
+             * @default operator
+             */
+            by?: string;
+            /**
+             * Seconds
+             * @default 600
+             */
+            seconds?: number;
         };
         /**
          * BumplessParameters
@@ -523,7 +665,7 @@ export interface components {
         };
         /**
          * CameraAnswer
-         * @description How many of the caller's browsers moved.
+         * @description How many of the caller's tabs moved.
          */
         CameraAnswer: {
             /**
@@ -540,6 +682,11 @@ export interface components {
          */
         CameraRequest: {
             /**
+             * Tab
+             * @default
+             */
+            tab?: string;
+            /**
              * View
              * @enum {string}
              */
@@ -552,14 +699,6 @@ export interface components {
         CommandReply: {
             /** Accepted */
             accepted: boolean;
-            /**
-             * Cause
-             * @default REFUSAL_CAUSE_UNSPECIFIED
-             * @enum {string}
-             */
-            cause: "REFUSAL_CAUSE_UNSPECIFIED" | "REFUSAL_CAUSE_LATE" | "REFUSAL_CAUSE_BUSY" | "REFUSAL_CAUSE_OVERTAKEN" | "REFUSAL_CAUSE_STALE_REVISION" | "REFUSAL_CAUSE_NO_HEADER" | "REFUSAL_CAUSE_NOT_ADDRESSED";
-            /** Id */
-            id: string;
             /** Problems */
             problems: components["schemas"]["Problem"][];
             /** Reason */
@@ -573,40 +712,69 @@ export interface components {
             run_id: string;
         };
         /**
-         * Counted
-         * @description One kind of what was not taken as it came, with its last example.
+         * ComparedFigure
+         * @description One figure of every run; `changes` against the first.
          */
-        Counted: {
-            /** Count */
-            count: number;
-            /** Example */
-            example: string;
-            /** Kind */
-            kind: string;
-            /** Last */
-            last: string | null;
-            /** Meaning */
-            meaning: string;
+        ComparedFigure: {
+            /** About */
+            about: string;
+            /** Changes */
+            changes: ("better" | "worse" | "same" | "")[];
+            /** Decimals */
+            decimals: number;
+            /** Key */
+            key: string;
+            /** Label */
+            label: string;
+            /** Unit */
+            unit: string;
+            /** Values */
+            values: (number | null)[];
         };
         /**
-         * Diagnostics
-         * @description Nothing silent: every kind that is counted, also those that never happened.
+         * ComparedRun
+         * @description One of the runs; `moments` are mission times, s, that runs can be laid over each other at.
          */
-        Diagnostics: {
-            /** Audit Trouble */
-            audit_trouble: string;
-            /** Bus Notice */
-            bus_notice: string;
-            /** Clock Offset S */
-            clock_offset_s: number;
-            /** Counted */
-            counted: components["schemas"]["Counted"][];
-            /** Left Out */
-            left_out: components["schemas"]["LeftOut"][];
-            /** Topics */
-            topics: components["schemas"]["TopicAge"][];
-            /** Vehicle Session */
-            vehicle_session: string;
+        ComparedRun: {
+            /** Id */
+            id: string;
+            /** Mission */
+            mission: string;
+            /** Moments */
+            moments: {
+                [key: string]: number;
+            };
+            /** Outcome */
+            outcome: string;
+            /** Reason */
+            reason: string;
+        };
+        /**
+         * ComparedSetting
+         * @description What is not the same in all runs.
+         */
+        ComparedSetting: {
+            /**
+             * Kind
+             * @enum {string}
+             */
+            kind: "mission" | "parameters" | "software";
+            /** Name */
+            name: string;
+            /** Values */
+            values: string[];
+        };
+        /**
+         * ComparisonAnswer
+         * @description Figures and differences of two to six runs.
+         */
+        ComparisonAnswer: {
+            /** Figures */
+            figures: components["schemas"]["ComparedFigure"][];
+            /** Runs */
+            runs: components["schemas"]["ComparedRun"][];
+            /** Settings */
+            settings: components["schemas"]["ComparedSetting"][];
         };
         /**
          * EndErrors
@@ -719,18 +887,6 @@ export interface components {
             status: "ok";
             /** Version */
             version: string;
-        };
-        /**
-         * LeftOut
-         * @description A file or folder in the data folder that stands in no list, and why.
-         */
-        LeftOut: {
-            /** Folder */
-            folder: string;
-            /** Name */
-            name: string;
-            /** Reason */
-            reason: string;
         };
         /**
          * Metrics
@@ -921,6 +1077,11 @@ export interface components {
              * @default
              */
             end_reason: string;
+            /**
+             * Held S
+             * @default 0
+             */
+            held_s: number | null;
             /**
              * Mission Name
              * @default
@@ -1257,6 +1418,22 @@ export interface components {
             [key: string]: unknown;
         };
         /**
+         * ReplayAnswer
+         * @description How long it is, and what happened in it. Times are mission times, s.
+         */
+        ReplayAnswer: {
+            /** Cycles */
+            cycles: number;
+            /** Events */
+            events: components["schemas"]["RunEvent"][];
+            /** First S */
+            first_s: number | null;
+            /** Last S */
+            last_s: number | null;
+            /** Run */
+            run: string;
+        };
+        /**
          * RunAnswer
          * @description A run in the list; of one being recorded, how far it is.
          */
@@ -1295,6 +1472,33 @@ export interface components {
             state: "recording" | "complete" | "interrupted";
             /** Vehicle */
             vehicle: string;
+        };
+        /**
+         * RunEvent
+         * @description One event of a run.
+         */
+        RunEvent: {
+            /**
+             * Code
+             * @default
+             */
+            code: string;
+            /** Details */
+            details: {
+                [key: string]: string;
+            };
+            /**
+             * Severity
+             * @default SEVERITY_UNSPECIFIED
+             * @enum {string}
+             */
+            severity: "SEVERITY_UNSPECIFIED" | "SEVERITY_INFO" | "SEVERITY_WARNING" | "SEVERITY_ALARM";
+            stamp: components["schemas"]["Stamp"] | null;
+            /**
+             * Text
+             * @default
+             */
+            text: string;
         };
         /**
          * Schema
@@ -1370,16 +1574,6 @@ export interface components {
          */
         Status: {
             /**
-             * Bus Notice
-             * @default
-             */
-            bus_notice: string;
-            /**
-             * Clock Offset S
-             * @default 0
-             */
-            clock_offset_s: number | null;
-            /**
              * Link
              * @default LINK_STATE_UNSPECIFIED
              * @enum {string}
@@ -1427,11 +1621,6 @@ export interface components {
              */
             server_version: string;
             /**
-             * Set Aside
-             * @default 0
-             */
-            set_aside: string;
-            /**
              * Stream Clients
              * @default 0
              */
@@ -1446,8 +1635,6 @@ export interface components {
              * @default 0
              */
             time_ns: string;
-            /** Topics */
-            topics: components["schemas"]["TopicFreshness"][];
             vehicle: components["schemas"]["SeenVehicle"] | null;
             /**
              * Vehicle Id
@@ -1591,46 +1778,6 @@ export interface components {
                 number
             ];
         };
-        /**
-         * TopicAge
-         * @description How old the last message of a topic is. `late`: older than its rate allows, or never heard.
-         */
-        TopicAge: {
-            /** Age S */
-            age_s: number | null;
-            /** Fresh For S */
-            fresh_for_s: number;
-            /** Late */
-            late: boolean;
-            /** Topic */
-            topic: string;
-        };
-        /**
-         * TopicFreshness
-         * @description bumpless.TopicFreshness as JSON.
-         */
-        TopicFreshness: {
-            /**
-             * Age S
-             * @default 0
-             */
-            age_s: number | null;
-            /**
-             * Fresh For S
-             * @default 0
-             */
-            fresh_for_s: number | null;
-            /**
-             * Late
-             * @default false
-             */
-            late: boolean;
-            /**
-             * Topic
-             * @default
-             */
-            topic: string;
-        };
         /** ValidationError */
         ValidationError: {
             /** Context */
@@ -1675,47 +1822,7 @@ export interface components {
 }
 export type $defs = Record<string, never>;
 export interface operations {
-    audit_api_audit_get: {
-        parameters: {
-            query?: {
-                limit?: number;
-            };
-            header?: never;
-            path?: never;
-            cookie?: never;
-        };
-        requestBody?: never;
-        responses: {
-            /** @description Successful Response */
-            200: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["AuditEntry"][];
-                };
-            };
-            /** @description Refused, with the reason */
-            "4XX": {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["Refused"];
-                };
-            };
-            /** @description Not possible now: no vehicle answers, too much waits, no room */
-            "5XX": {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["Refused"];
-                };
-            };
-        };
-    };
-    audit_file_api_audit_jsonl_get: {
+    alarms_api_alarms_get: {
         parameters: {
             query?: never;
             header?: never;
@@ -1730,7 +1837,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/jsonl": unknown;
+                    "application/json": components["schemas"]["AlarmsAnswer"];
                 };
             };
             /** @description Refused, with the reason */
@@ -1742,8 +1849,32 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
-            /** @description Not possible now: no vehicle answers, too much waits, no room */
-            "5XX": {
+        };
+    };
+    acknowledge_api_alarms__alarm__acknowledge_post: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                alarm: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: {
+            content: {
+                "application/json": components["schemas"]["Body_acknowledge_api_alarms__alarm__acknowledge_post"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -1753,9 +1884,44 @@ export interface operations {
             };
         };
     };
-    diagnostics_api_diagnostics_get: {
+    shelve_api_alarms__alarm__shelve_post: {
         parameters: {
             query?: never;
+            header?: never;
+            path: {
+                alarm: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: {
+            content: {
+                "application/json": components["schemas"]["Body_shelve_api_alarms__alarm__shelve_post"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    compared_api_compare_get: {
+        parameters: {
+            query: {
+                run: string[];
+            };
             header?: never;
             path?: never;
             cookie?: never;
@@ -1768,20 +1934,11 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["Diagnostics"];
+                    "application/json": components["schemas"]["ComparisonAnswer"];
                 };
             };
             /** @description Refused, with the reason */
             "4XX": {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["Refused"];
-                };
-            };
-            /** @description Not possible now: no vehicle answers, too much waits, no room */
-            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -1820,15 +1977,6 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
-            /** @description Not possible now: no vehicle answers, too much waits, no room */
-            "5XX": {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["Refused"];
-                };
-            };
         };
     };
     fields_api_fields__kind__get: {
@@ -1860,15 +2008,6 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
-            /** @description Not possible now: no vehicle answers, too much waits, no room */
-            "5XX": {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["Refused"];
-                };
-            };
         };
     };
     health_api_health_get: {
@@ -1891,15 +2030,6 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["Refused"];
-                };
-            };
-            /** @description Not possible now: no vehicle answers, too much waits, no room */
-            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -1940,15 +2070,6 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
-            /** @description Not possible now: no vehicle answers, too much waits, no room */
-            "5XX": {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["Refused"];
-                };
-            };
         };
     };
     change_api_mission__verb__post: {
@@ -1980,15 +2101,6 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
-            /** @description Not possible now: no vehicle answers, too much waits, no room */
-            "5XX": {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["Refused"];
-                };
-            };
         };
     };
     missions_api_missions_get: {
@@ -2011,15 +2123,6 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["Refused"];
-                };
-            };
-            /** @description Not possible now: no vehicle answers, too much waits, no room */
-            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2059,15 +2162,6 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
-            /** @description Not possible now: no vehicle answers, too much waits, no room */
-            "5XX": {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["Refused"];
-                };
-            };
         };
     };
     mission_api_missions__name__get: {
@@ -2092,15 +2186,6 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["Refused"];
-                };
-            };
-            /** @description Not possible now: no vehicle answers, too much waits, no room */
-            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2137,15 +2222,6 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
-            /** @description Not possible now: no vehicle answers, too much waits, no room */
-            "5XX": {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["Refused"];
-                };
-            };
         };
     };
     parameters_api_parameters_get: {
@@ -2168,15 +2244,6 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["Refused"];
-                };
-            };
-            /** @description Not possible now: no vehicle answers, too much waits, no room */
-            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2213,15 +2280,6 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
-            /** @description Not possible now: no vehicle answers, too much waits, no room */
-            "5XX": {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["Refused"];
-                };
-            };
         };
     };
     presets_api_presets_get: {
@@ -2244,15 +2302,6 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["Refused"];
-                };
-            };
-            /** @description Not possible now: no vehicle answers, too much waits, no room */
-            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2291,15 +2340,6 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
-            /** @description Not possible now: no vehicle answers, too much waits, no room */
-            "5XX": {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["Refused"];
-                };
-            };
         };
     };
     save_api_presets__name__put: {
@@ -2324,15 +2364,6 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["Refused"];
-                };
-            };
-            /** @description Not possible now: no vehicle answers, too much waits, no room */
-            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2369,15 +2400,6 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
-            /** @description Not possible now: no vehicle answers, too much waits, no room */
-            "5XX": {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["Refused"];
-                };
-            };
         };
     };
     runs_api_runs_get: {
@@ -2400,15 +2422,6 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["Refused"];
-                };
-            };
-            /** @description Not possible now: no vehicle answers, too much waits, no room */
-            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2447,15 +2460,6 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
-            /** @description Not possible now: no vehicle answers, too much waits, no room */
-            "5XX": {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["Refused"];
-                };
-            };
         };
     };
     remove_api_runs__run__delete: {
@@ -2485,8 +2489,67 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
-            /** @description Not possible now: no vehicle answers, too much waits, no room */
-            "5XX": {
+        };
+    };
+    at_api_runs__run__at_get: {
+        parameters: {
+            query: {
+                t: number;
+            };
+            header?: never;
+            path: {
+                run: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/octet-stream": unknown;
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    frames_api_runs__run__frames_get: {
+        parameters: {
+            query: {
+                from_s: number;
+                to_s: number;
+                most?: number;
+            };
+            header?: never;
+            path: {
+                run: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/octet-stream": unknown;
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2525,15 +2588,6 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
-            /** @description Not possible now: no vehicle answers, too much waits, no room */
-            "5XX": {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["Refused"];
-                };
-            };
         };
     };
     metrics_api_runs__run__metrics_get: {
@@ -2565,8 +2619,30 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
-            /** @description Not possible now: no vehicle answers, too much waits, no room */
-            "5XX": {
+        };
+    };
+    replay_api_runs__run__replay_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                run: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ReplayAnswer"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2638,15 +2714,6 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
-            /** @description Not possible now: no vehicle answers, too much waits, no room */
-            "5XX": {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["Refused"];
-                };
-            };
         };
     };
     status_api_status_get: {
@@ -2676,15 +2743,6 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
-            /** @description Not possible now: no vehicle answers, too much waits, no room */
-            "5XX": {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["Refused"];
-                };
-            };
         };
     };
     vehicle_api_vehicle_get: {
@@ -2707,15 +2765,6 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["Refused"];
-                };
-            };
-            /** @description Not possible now: no vehicle answers, too much waits, no room */
-            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
