@@ -8,6 +8,7 @@ turns. The loop only passes lines on.
 import asyncio
 import contextlib
 import itertools
+import json
 import logging
 import os
 from collections.abc import AsyncIterator, Awaitable, Callable
@@ -47,7 +48,7 @@ class Client:
         except ValidationError as error:
             first = error.errors(include_url=False, include_context=False)[0]
             place = ".".join(map(str, first["loc"]))
-            self.tell(ForesightFailed(id=_id_of(error), reason=f"{place}: {first['msg']}").model_dump_json())
+            self.tell(ForesightFailed(id=_id_of(text), reason=f"{place}: {first['msg']}").model_dump_json())
             return
         self._owner.take(self, request)
 
@@ -68,6 +69,7 @@ class Foresight:
         self._doing: dict[int, tuple[Client, Job]] = {}  # by the task's number
         self._numbers = itertools.count(1)
         self._starting = asyncio.Lock()
+        self._begun: set[asyncio.Task[None]] = set()
         self._idle: asyncio.TimerHandle | None = None
 
     @asynccontextmanager
@@ -93,9 +95,8 @@ class Foresight:
         self._drop(client)
         vehicle = self._present()
         client.job = Job(request, vehicle.text if vehicle is not None else "", self._numbers)
-        if not self._workers:
-            task = asyncio.create_task(self._start())  # the loop keeps only a weak reference
-            task.add_done_callback(lambda _task: self._hand_out())
+        if len(self._workers) < self._most:
+            self._begin()
         self._hand_out()
 
     async def stop(self) -> None:
@@ -105,6 +106,12 @@ class Foresight:
         workers, self._workers = self._workers, []
         for worker in workers:
             await worker.stop()
+
+    def _begin(self) -> None:
+        """Start what is missing, beside whatever goes on."""
+        starting = asyncio.create_task(self._start())
+        self._begun.add(starting)  # the loop keeps only a weak reference
+        starting.add_done_callback(self._begun.discard)
 
     async def _start(self) -> None:
         if self._idle is not None:
@@ -165,8 +172,7 @@ class Foresight:
             client.tell(body.decode())
             job.refused = job.refused or head.kind == "problems"
         if head.failed:
-            client.tell(ForesightFailed(id=job.request.id, reason=head.failed).model_dump_json())
-            client.job = None
+            self._fail(client, job, head.failed)
         elif head.end:
             job.finished()
             if job.done:
@@ -175,16 +181,25 @@ class Foresight:
                 client.job = None
 
     def _ended(self, worker: Worker) -> None:
-        """A process is gone; what it did has failed, and the next request starts another."""
+        """A process is gone: what it did has failed, and who still waits gets another process."""
         if worker not in self._workers:
             return
         self._workers.remove(worker)
-        if worker.task is not None:
-            client, job = self._doing.pop(worker.task.number, (None, None))
-            if client is not None and job is not None and client.job is job:
-                reason = "the process that flew it ended"
-                client.tell(ForesightFailed(id=job.request.id, reason=reason).model_dump_json())
-                client.job = None
+        task = worker.task
+        client, job = self._doing.pop(task.number, (None, None)) if task is not None else (None, None)
+        if task is not None and task.kind == "warm":  # it never came up, and the next would not either
+            log.error("a foresight worker ended before it was ready")
+            for one in self._clients:
+                self._fail(one, one.job, "no process can be started that flies it")
+        else:
+            self._fail(client, job, "the process that flew it ended")
+        if any(one.job is not None for one in self._clients):
+            self._begin()
+
+    def _fail(self, client: Client | None, job: Job | None, reason: str) -> None:
+        if client is not None and job is not None and client.job is job:
+            client.tell(ForesightFailed(id=job.request.id, reason=reason).model_dump_json())
+            client.job = None
 
     def _rest_when_idle(self) -> None:
         if not self._clients and self._workers:
@@ -198,8 +213,10 @@ async def _pass_on(client: Client, send: Callable[[str], Awaitable[None]]) -> No
             await send(await client.waiting.get())
 
 
-def _id_of(error: ValidationError) -> int:
+def _id_of(text: str) -> int:
     """The id of a request that could not be read, 0 when even that is missing."""
-    given = error.errors(include_url=False)[0].get("input")
-    found = given.get("id") if isinstance(given, dict) else None
-    return found if isinstance(found, int) and found >= 0 else 0
+    try:
+        found = json.loads(text)["id"]
+    except (ValueError, TypeError, KeyError, RecursionError):
+        return 0
+    return found if isinstance(found, int) and 0 <= found < 2**53 else 0
