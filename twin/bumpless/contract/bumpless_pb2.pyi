@@ -64,6 +64,16 @@ class WaveOffReason(int, metaclass=_enum_type_wrapper.EnumTypeWrapper):
     WAVE_OFF_REASON_CURRENT: _ClassVar[WaveOffReason]
     WAVE_OFF_REASON_TIME_OVER: _ClassVar[WaveOffReason]
 
+class RefusalCause(int, metaclass=_enum_type_wrapper.EnumTypeWrapper):
+    __slots__ = ()
+    REFUSAL_CAUSE_UNSPECIFIED: _ClassVar[RefusalCause]
+    REFUSAL_CAUSE_LATE: _ClassVar[RefusalCause]
+    REFUSAL_CAUSE_BUSY: _ClassVar[RefusalCause]
+    REFUSAL_CAUSE_OVERTAKEN: _ClassVar[RefusalCause]
+    REFUSAL_CAUSE_STALE_REVISION: _ClassVar[RefusalCause]
+    REFUSAL_CAUSE_NO_HEADER: _ClassVar[RefusalCause]
+    REFUSAL_CAUSE_NOT_ADDRESSED: _ClassVar[RefusalCause]
+
 class Ending(int, metaclass=_enum_type_wrapper.EnumTypeWrapper):
     __slots__ = ()
     ENDING_UNSPECIFIED: _ClassVar[Ending]
@@ -121,6 +131,13 @@ WAVE_OFF_REASON_NOT_SEEN: WaveOffReason
 WAVE_OFF_REASON_TOO_SLOW: WaveOffReason
 WAVE_OFF_REASON_CURRENT: WaveOffReason
 WAVE_OFF_REASON_TIME_OVER: WaveOffReason
+REFUSAL_CAUSE_UNSPECIFIED: RefusalCause
+REFUSAL_CAUSE_LATE: RefusalCause
+REFUSAL_CAUSE_BUSY: RefusalCause
+REFUSAL_CAUSE_OVERTAKEN: RefusalCause
+REFUSAL_CAUSE_STALE_REVISION: RefusalCause
+REFUSAL_CAUSE_NO_HEADER: RefusalCause
+REFUSAL_CAUSE_NOT_ADDRESSED: RefusalCause
 ENDING_UNSPECIFIED: Ending
 ENDING_DOCKED: Ending
 ENDING_HELD: Ending
@@ -226,7 +243,7 @@ class Guidance(_message.Message):
     def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., surge_speed_reference_mps: _Optional[float] = ..., depth_reference_m: _Optional[float] = ..., attitude_reference: _Optional[_Union[Attitude, _Mapping]] = ..., cross_track_error_m: _Optional[float] = ..., along_track_error_m: _Optional[float] = ..., leg: _Optional[int] = ..., leg_count: _Optional[int] = ..., sway_speed_reference_mps: _Optional[float] = ...) -> None: ...
 
 class Supervisor(_message.Message):
-    __slots__ = ("stamp", "mode", "previous_mode", "range_m", "detection_raw", "detection", "kappa", "time_in_mode_s", "dwell_remaining_s", "range_rh_lower_m", "range_rh_upper_m", "range_fr_lower_m", "range_fr_upper_m", "range_hf_upper_m", "phase", "docking_stage", "docking_tries", "docking_tries_most", "wave_off_reason", "approach_heading_deg", "fix_age_s", "captured")
+    __slots__ = ("stamp", "mode", "previous_mode", "range_m", "detection_raw", "detection", "kappa", "time_in_mode_s", "dwell_remaining_s", "range_rh_lower_m", "range_rh_upper_m", "range_fr_lower_m", "range_fr_upper_m", "range_hf_upper_m", "phase", "docking_stage", "docking_tries", "docking_tries_most", "wave_off_reason", "approach_heading_deg", "fix_age_s", "captured", "flown")
     STAMP_FIELD_NUMBER: _ClassVar[int]
     MODE_FIELD_NUMBER: _ClassVar[int]
     PREVIOUS_MODE_FIELD_NUMBER: _ClassVar[int]
@@ -249,6 +266,7 @@ class Supervisor(_message.Message):
     APPROACH_HEADING_DEG_FIELD_NUMBER: _ClassVar[int]
     FIX_AGE_S_FIELD_NUMBER: _ClassVar[int]
     CAPTURED_FIELD_NUMBER: _ClassVar[int]
+    FLOWN_FIELD_NUMBER: _ClassVar[int]
     stamp: Stamp
     mode: Mode
     previous_mode: Mode
@@ -271,7 +289,46 @@ class Supervisor(_message.Message):
     approach_heading_deg: float
     fix_age_s: float
     captured: bool
-    def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., mode: _Optional[_Union[Mode, str]] = ..., previous_mode: _Optional[_Union[Mode, str]] = ..., range_m: _Optional[float] = ..., detection_raw: _Optional[bool] = ..., detection: _Optional[bool] = ..., kappa: _Optional[float] = ..., time_in_mode_s: _Optional[float] = ..., dwell_remaining_s: _Optional[float] = ..., range_rh_lower_m: _Optional[float] = ..., range_rh_upper_m: _Optional[float] = ..., range_fr_lower_m: _Optional[float] = ..., range_fr_upper_m: _Optional[float] = ..., range_hf_upper_m: _Optional[float] = ..., phase: _Optional[_Union[MissionPhase, str]] = ..., docking_stage: _Optional[_Union[DockingStage, str]] = ..., docking_tries: _Optional[int] = ..., docking_tries_most: _Optional[int] = ..., wave_off_reason: _Optional[_Union[WaveOffReason, str]] = ..., approach_heading_deg: _Optional[float] = ..., fix_age_s: _Optional[float] = ..., captured: _Optional[bool] = ...) -> None: ...
+    flown: Mode
+    def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., mode: _Optional[_Union[Mode, str]] = ..., previous_mode: _Optional[_Union[Mode, str]] = ..., range_m: _Optional[float] = ..., detection_raw: _Optional[bool] = ..., detection: _Optional[bool] = ..., kappa: _Optional[float] = ..., time_in_mode_s: _Optional[float] = ..., dwell_remaining_s: _Optional[float] = ..., range_rh_lower_m: _Optional[float] = ..., range_rh_upper_m: _Optional[float] = ..., range_fr_lower_m: _Optional[float] = ..., range_fr_upper_m: _Optional[float] = ..., range_hf_upper_m: _Optional[float] = ..., phase: _Optional[_Union[MissionPhase, str]] = ..., docking_stage: _Optional[_Union[DockingStage, str]] = ..., docking_tries: _Optional[int] = ..., docking_tries_most: _Optional[int] = ..., wave_off_reason: _Optional[_Union[WaveOffReason, str]] = ..., approach_heading_deg: _Optional[float] = ..., fix_age_s: _Optional[float] = ..., captured: _Optional[bool] = ..., flown: _Optional[_Union[Mode, str]] = ...) -> None: ...
+
+class Guard(_message.Message):
+    __slots__ = ("name", "value", "limit", "at_least", "met", "unit")
+    NAME_FIELD_NUMBER: _ClassVar[int]
+    VALUE_FIELD_NUMBER: _ClassVar[int]
+    LIMIT_FIELD_NUMBER: _ClassVar[int]
+    AT_LEAST_FIELD_NUMBER: _ClassVar[int]
+    MET_FIELD_NUMBER: _ClassVar[int]
+    UNIT_FIELD_NUMBER: _ClassVar[int]
+    name: str
+    value: float
+    limit: float
+    at_least: bool
+    met: bool
+    unit: str
+    def __init__(self, name: _Optional[str] = ..., value: _Optional[float] = ..., limit: _Optional[float] = ..., at_least: _Optional[bool] = ..., met: _Optional[bool] = ..., unit: _Optional[str] = ...) -> None: ...
+
+class ModeExit(_message.Message):
+    __slots__ = ("to", "name", "guards", "expected_s")
+    TO_FIELD_NUMBER: _ClassVar[int]
+    NAME_FIELD_NUMBER: _ClassVar[int]
+    GUARDS_FIELD_NUMBER: _ClassVar[int]
+    EXPECTED_S_FIELD_NUMBER: _ClassVar[int]
+    to: Mode
+    name: str
+    guards: _containers.RepeatedCompositeFieldContainer[Guard]
+    expected_s: float
+    def __init__(self, to: _Optional[_Union[Mode, str]] = ..., name: _Optional[str] = ..., guards: _Optional[_Iterable[_Union[Guard, _Mapping]]] = ..., expected_s: _Optional[float] = ...) -> None: ...
+
+class Exits(_message.Message):
+    __slots__ = ("stamp", "mode", "exits")
+    STAMP_FIELD_NUMBER: _ClassVar[int]
+    MODE_FIELD_NUMBER: _ClassVar[int]
+    EXITS_FIELD_NUMBER: _ClassVar[int]
+    stamp: Stamp
+    mode: Mode
+    exits: _containers.RepeatedCompositeFieldContainer[ModeExit]
+    def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., mode: _Optional[_Union[Mode, str]] = ..., exits: _Optional[_Iterable[_Union[ModeExit, _Mapping]]] = ...) -> None: ...
 
 class Control(_message.Message):
     __slots__ = ("stamp", "demanded", "demanded_raw", "achieved", "residual", "frozen")
@@ -374,7 +431,7 @@ class Target(_message.Message):
     def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., detected: _Optional[bool] = ..., measured_range_m: _Optional[float] = ..., bearing_deg: _Optional[float] = ..., elevation_deg: _Optional[float] = ..., position_ned_m: _Optional[_Union[Vector3, _Mapping]] = ..., heading_deg: _Optional[float] = ..., observation_point_ned_m: _Optional[_Union[Vector3, _Mapping]] = ...) -> None: ...
 
 class MissionStatus(_message.Message):
-    __slots__ = ("stamp", "phase", "run_id", "mission_name", "mission_sha256", "duration_s", "elapsed_s", "seed", "end_reason")
+    __slots__ = ("stamp", "phase", "run_id", "mission_name", "mission_sha256", "duration_s", "elapsed_s", "seed", "end_reason", "held_s")
     STAMP_FIELD_NUMBER: _ClassVar[int]
     PHASE_FIELD_NUMBER: _ClassVar[int]
     RUN_ID_FIELD_NUMBER: _ClassVar[int]
@@ -384,6 +441,7 @@ class MissionStatus(_message.Message):
     ELAPSED_S_FIELD_NUMBER: _ClassVar[int]
     SEED_FIELD_NUMBER: _ClassVar[int]
     END_REASON_FIELD_NUMBER: _ClassVar[int]
+    HELD_S_FIELD_NUMBER: _ClassVar[int]
     stamp: Stamp
     phase: MissionPhase
     run_id: str
@@ -393,7 +451,8 @@ class MissionStatus(_message.Message):
     elapsed_s: float
     seed: int
     end_reason: str
-    def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., phase: _Optional[_Union[MissionPhase, str]] = ..., run_id: _Optional[str] = ..., mission_name: _Optional[str] = ..., mission_sha256: _Optional[str] = ..., duration_s: _Optional[float] = ..., elapsed_s: _Optional[float] = ..., seed: _Optional[int] = ..., end_reason: _Optional[str] = ...) -> None: ...
+    held_s: float
+    def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., phase: _Optional[_Union[MissionPhase, str]] = ..., run_id: _Optional[str] = ..., mission_name: _Optional[str] = ..., mission_sha256: _Optional[str] = ..., duration_s: _Optional[float] = ..., elapsed_s: _Optional[float] = ..., seed: _Optional[int] = ..., end_reason: _Optional[str] = ..., held_s: _Optional[float] = ...) -> None: ...
 
 class Plan(_message.Message):
     __slots__ = ("stamp", "file_name", "mission_yaml", "sha256", "path_ned_m")
@@ -593,23 +652,41 @@ class StartMission(_message.Message):
     operator: str
     def __init__(self, file_name: _Optional[str] = ..., mission_yaml: _Optional[str] = ..., seed: _Optional[int] = ..., operator: _Optional[str] = ...) -> None: ...
 
+class RequestHeader(_message.Message):
+    __slots__ = ("id", "expires_ns", "session_id", "author", "if_revision")
+    ID_FIELD_NUMBER: _ClassVar[int]
+    EXPIRES_NS_FIELD_NUMBER: _ClassVar[int]
+    SESSION_ID_FIELD_NUMBER: _ClassVar[int]
+    AUTHOR_FIELD_NUMBER: _ClassVar[int]
+    IF_REVISION_FIELD_NUMBER: _ClassVar[int]
+    id: str
+    expires_ns: int
+    session_id: str
+    author: str
+    if_revision: int
+    def __init__(self, id: _Optional[str] = ..., expires_ns: _Optional[int] = ..., session_id: _Optional[str] = ..., author: _Optional[str] = ..., if_revision: _Optional[int] = ...) -> None: ...
+
 class Empty(_message.Message):
     __slots__ = ()
     def __init__(self) -> None: ...
 
 class CommandReply(_message.Message):
-    __slots__ = ("accepted", "reason", "problems", "run_id", "revision")
+    __slots__ = ("accepted", "reason", "problems", "run_id", "revision", "id", "cause")
     ACCEPTED_FIELD_NUMBER: _ClassVar[int]
     REASON_FIELD_NUMBER: _ClassVar[int]
     PROBLEMS_FIELD_NUMBER: _ClassVar[int]
     RUN_ID_FIELD_NUMBER: _ClassVar[int]
     REVISION_FIELD_NUMBER: _ClassVar[int]
+    ID_FIELD_NUMBER: _ClassVar[int]
+    CAUSE_FIELD_NUMBER: _ClassVar[int]
     accepted: bool
     reason: str
     problems: _containers.RepeatedCompositeFieldContainer[Problem]
     run_id: str
     revision: int
-    def __init__(self, accepted: _Optional[bool] = ..., reason: _Optional[str] = ..., problems: _Optional[_Iterable[_Union[Problem, _Mapping]]] = ..., run_id: _Optional[str] = ..., revision: _Optional[int] = ...) -> None: ...
+    id: str
+    cause: RefusalCause
+    def __init__(self, accepted: _Optional[bool] = ..., reason: _Optional[str] = ..., problems: _Optional[_Iterable[_Union[Problem, _Mapping]]] = ..., run_id: _Optional[str] = ..., revision: _Optional[int] = ..., id: _Optional[str] = ..., cause: _Optional[_Union[RefusalCause, str]] = ...) -> None: ...
 
 class Problem(_message.Message):
     __slots__ = ("file", "line", "column", "field", "value", "rule")
@@ -829,8 +906,47 @@ class StreamFrame(_message.Message):
     past: bool
     def __init__(self, server_time_ns: _Optional[int] = ..., messages: _Optional[_Iterable[_Union[StreamMessage, _Mapping]]] = ..., past: _Optional[bool] = ...) -> None: ...
 
+class Alarm(_message.Message):
+    __slots__ = ("id", "code", "severity", "text", "raised_ns", "returned_ns", "acknowledged_ns", "acknowledged_by", "count", "shelved_until_ns", "details")
+    class DetailsEntry(_message.Message):
+        __slots__ = ("key", "value")
+        KEY_FIELD_NUMBER: _ClassVar[int]
+        VALUE_FIELD_NUMBER: _ClassVar[int]
+        key: str
+        value: str
+        def __init__(self, key: _Optional[str] = ..., value: _Optional[str] = ...) -> None: ...
+    ID_FIELD_NUMBER: _ClassVar[int]
+    CODE_FIELD_NUMBER: _ClassVar[int]
+    SEVERITY_FIELD_NUMBER: _ClassVar[int]
+    TEXT_FIELD_NUMBER: _ClassVar[int]
+    RAISED_NS_FIELD_NUMBER: _ClassVar[int]
+    RETURNED_NS_FIELD_NUMBER: _ClassVar[int]
+    ACKNOWLEDGED_NS_FIELD_NUMBER: _ClassVar[int]
+    ACKNOWLEDGED_BY_FIELD_NUMBER: _ClassVar[int]
+    COUNT_FIELD_NUMBER: _ClassVar[int]
+    SHELVED_UNTIL_NS_FIELD_NUMBER: _ClassVar[int]
+    DETAILS_FIELD_NUMBER: _ClassVar[int]
+    id: str
+    code: str
+    severity: Severity
+    text: str
+    raised_ns: int
+    returned_ns: int
+    acknowledged_ns: int
+    acknowledged_by: str
+    count: int
+    shelved_until_ns: int
+    details: _containers.ScalarMap[str, str]
+    def __init__(self, id: _Optional[str] = ..., code: _Optional[str] = ..., severity: _Optional[_Union[Severity, str]] = ..., text: _Optional[str] = ..., raised_ns: _Optional[int] = ..., returned_ns: _Optional[int] = ..., acknowledged_ns: _Optional[int] = ..., acknowledged_by: _Optional[str] = ..., count: _Optional[int] = ..., shelved_until_ns: _Optional[int] = ..., details: _Optional[_Mapping[str, str]] = ...) -> None: ...
+
+class Alarms(_message.Message):
+    __slots__ = ("alarms",)
+    ALARMS_FIELD_NUMBER: _ClassVar[int]
+    alarms: _containers.RepeatedCompositeFieldContainer[Alarm]
+    def __init__(self, alarms: _Optional[_Iterable[_Union[Alarm, _Mapping]]] = ...) -> None: ...
+
 class ServerStatus(_message.Message):
-    __slots__ = ("time_ns", "vehicle_id", "link", "telemetry_age_s", "recording", "recording_run_id", "recorded_bytes", "recorder_dropped", "node_restarts", "stream_clients", "server_version", "node_managed", "recorder_trouble")
+    __slots__ = ("time_ns", "vehicle_id", "link", "telemetry_age_s", "recording", "recording_run_id", "recorded_bytes", "recorder_dropped", "node_restarts", "stream_clients", "server_version", "node_managed", "recorder_trouble", "topics", "clock_offset_s", "bus_notice", "set_aside")
     TIME_NS_FIELD_NUMBER: _ClassVar[int]
     VEHICLE_ID_FIELD_NUMBER: _ClassVar[int]
     LINK_FIELD_NUMBER: _ClassVar[int]
@@ -844,6 +960,10 @@ class ServerStatus(_message.Message):
     SERVER_VERSION_FIELD_NUMBER: _ClassVar[int]
     NODE_MANAGED_FIELD_NUMBER: _ClassVar[int]
     RECORDER_TROUBLE_FIELD_NUMBER: _ClassVar[int]
+    TOPICS_FIELD_NUMBER: _ClassVar[int]
+    CLOCK_OFFSET_S_FIELD_NUMBER: _ClassVar[int]
+    BUS_NOTICE_FIELD_NUMBER: _ClassVar[int]
+    SET_ASIDE_FIELD_NUMBER: _ClassVar[int]
     time_ns: int
     vehicle_id: str
     link: LinkState
@@ -857,4 +977,20 @@ class ServerStatus(_message.Message):
     server_version: str
     node_managed: bool
     recorder_trouble: str
-    def __init__(self, time_ns: _Optional[int] = ..., vehicle_id: _Optional[str] = ..., link: _Optional[_Union[LinkState, str]] = ..., telemetry_age_s: _Optional[float] = ..., recording: _Optional[bool] = ..., recording_run_id: _Optional[str] = ..., recorded_bytes: _Optional[int] = ..., recorder_dropped: _Optional[int] = ..., node_restarts: _Optional[int] = ..., stream_clients: _Optional[int] = ..., server_version: _Optional[str] = ..., node_managed: _Optional[bool] = ..., recorder_trouble: _Optional[str] = ...) -> None: ...
+    topics: _containers.RepeatedCompositeFieldContainer[TopicFreshness]
+    clock_offset_s: float
+    bus_notice: str
+    set_aside: int
+    def __init__(self, time_ns: _Optional[int] = ..., vehicle_id: _Optional[str] = ..., link: _Optional[_Union[LinkState, str]] = ..., telemetry_age_s: _Optional[float] = ..., recording: _Optional[bool] = ..., recording_run_id: _Optional[str] = ..., recorded_bytes: _Optional[int] = ..., recorder_dropped: _Optional[int] = ..., node_restarts: _Optional[int] = ..., stream_clients: _Optional[int] = ..., server_version: _Optional[str] = ..., node_managed: _Optional[bool] = ..., recorder_trouble: _Optional[str] = ..., topics: _Optional[_Iterable[_Union[TopicFreshness, _Mapping]]] = ..., clock_offset_s: _Optional[float] = ..., bus_notice: _Optional[str] = ..., set_aside: _Optional[int] = ...) -> None: ...
+
+class TopicFreshness(_message.Message):
+    __slots__ = ("topic", "age_s", "fresh_for_s", "late")
+    TOPIC_FIELD_NUMBER: _ClassVar[int]
+    AGE_S_FIELD_NUMBER: _ClassVar[int]
+    FRESH_FOR_S_FIELD_NUMBER: _ClassVar[int]
+    LATE_FIELD_NUMBER: _ClassVar[int]
+    topic: str
+    age_s: float
+    fresh_for_s: float
+    late: bool
+    def __init__(self, topic: _Optional[str] = ..., age_s: _Optional[float] = ..., fresh_for_s: _Optional[float] = ..., late: _Optional[bool] = ...) -> None: ...

@@ -87,7 +87,8 @@ def fly_cycle(handle, onboard, m):
     """From a located vehicle to its commands."""
     settings, plan, model, s = onboard.settings, onboard.plan, onboard.model, onboard.state
     out, cycle, dt = onboard.output, onboard.state.clock.cycle, onboard.settings.dt
-    holding = onboard.orders.phase == PAUSED
+    docks, phase = settings.docking.enabled == 1, onboard.orders.phase
+    holding = is_holding(phase, docks, s.supervisor.mode)
     if settings.allocation.estimate == 1:
         estimate_effectiveness(
             dt, settings.allocation.fault_evidence, onboard.sensors, model, m, s.navigation,
@@ -95,7 +96,7 @@ def fly_cycle(handle, onboard, m):
         )  # fmt: skip
     if m.fresh == 1:
         filter_detection(settings.supervisor, out.navigation.sighted, s.supervisor)
-    situation, docks = out.situation, settings.docking.enabled == 1
+    situation = out.situation
     switched = onboard.orders.change == 1
     if docks:
         look_docking(dt, plan, out.navigation.sighted, s, situation, out.docking)
@@ -103,7 +104,7 @@ def fly_cycle(handle, onboard, m):
             start_as_found(model, m, s)
     else:
         look(plan, s.navigation, situation)
-    if not holding:
+    if phase != PAUSED and (docks or phase != COMPLETED):
         mode = choose_mode(onboard)
         if mode != s.supervisor.mode:
             change_mode(mode, cycle, s.supervisor)
@@ -116,7 +117,7 @@ def fly_cycle(handle, onboard, m):
         note_still(in_place, s.docking)
         in_place = False  # it is when captured
     count_hover(in_place, s.supervisor)
-    orient(settings.supervisor, onboard.orders, s, situation)
+    orient(settings.supervisor, onboard.orders, holding, s, situation)
     sway = model.controllable[1] > 0.0
     if docks:
         refer_docking(settings, plan, s, situation, sway, out.docking, out.guidance)
@@ -124,6 +125,14 @@ def fly_cycle(handle, onboard, m):
         guide(dt, settings.guidance, plan, s.navigation, situation, sway, s.guidance, out.guidance)
     regulate(settings, plan, model, situation.mode, switched, s, out)
     command(handle, onboard)
+
+
+@jit
+def is_holding(phase, docks, mode):
+    """Whether station is held at `orders.hold_point`, in H: in a pause, and after a mission that is over
+    elsewhere than in H. The docking automaton has a hold of its own.
+    """
+    return phase == PAUSED or (phase == COMPLETED and not docks and mode != HOVER)
 
 
 @jit
@@ -147,9 +156,8 @@ def look(plan, navigation, situation):
 
 
 @jit
-def orient(settings, orders, s, situation):
+def orient(settings, orders, holding, s, situation):
     """Fill the rest of the SITUATION. settings: SUPERVISOR_SETTINGS; s: STATE."""
-    holding = orders.phase == PAUSED
     situation.mode = HOVER if holding else s.supervisor.mode
     situation.holding = 1 if holding else 0
     if holding:

@@ -9,13 +9,15 @@ from typing import Any
 import numpy as np
 from google.protobuf.message import DecodeError
 
+from bumpless.config.mission import Mission, parse_mission
+from bumpless.config.problems import ProblemsError
 from bumpless.config.vehicle import Vehicle, VehicleError, parse_vehicle
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.keys import SAID
 from bumpless.contract.units import EDGE_PER_SI
-from bumpless.metrics import Columns
+from bumpless.metrics import Columns, Figures, figures_of
 from bumpless.metrics.columns import FLOWN, DockColumns
-from bumpless.runs.figures import Figures, figures_of, how_ended, why_ended
+from bumpless.runs.figures import how_ended, why_ended
 from bumpless.runs.names import DESCRIPTION, MISSION, PLAN, TRUTH
 from bumpless.runs.read import log_messages
 
@@ -28,6 +30,15 @@ class RecordedColumns:
     vehicle: Vehicle | None
     status: pb.MissionStatus  # the last; empty when there is none
     plan: pb.Plan  # the last; empty when there is none
+
+    @property
+    def mission(self) -> Mission | None:
+        """The mission as the vehicle flew it; None when there is none that can be read."""
+        plan = self.plan
+        try:
+            return parse_mission(plan.mission_yaml, plan.file_name, self.vehicle, any_vehicle=True)
+        except ProblemsError:
+            return None
 
 
 class _Column:
@@ -83,7 +94,8 @@ def figures_of_file(path: Path, run_id: str, state: str, phase: int, reason: str
     if data.vehicle is None or len(data.columns) == 0:
         return None
     how = how_ended(state, phase)
-    return figures_of(data.columns, data.vehicle, run_id, how, why_ended(how, reason))
+    why = why_ended(how, reason)
+    return figures_of(data.columns, data.vehicle, data.mission, how, why, run_id=run_id)
 
 
 def _vehicle(message: pb.VehicleDescription) -> Vehicle | None:

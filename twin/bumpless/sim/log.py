@@ -19,6 +19,9 @@ LOG = np.dtype(
         ("range", f8),  # to the observation point, m
         ("detected_raw", i8),
         ("detected", i8),  # after the filter
+        ("flown", i8),  # mode whose gains and weights count: H while holding station; 0: actuators at rest
+        ("hits", i8),  # camera frames of the filter's window that show the target
+        ("hold_left", i8),  # camera frames that a detection still lasts without one
         # navigation estimate
         ("eta_hat", f8, 6),
         ("nu_hat", f8, 6),

@@ -123,6 +123,7 @@ def _supervisor(r: _Row, stamp: pb.Stamp, context: Context) -> pb.Supervisor:
     out.docking_stage = cast("pb.DockingStage", int(r.one("stage")))
     out.wave_off_reason = cast("pb.WaveOffReason", int(r.one("reason")))
     out.docking_tries, out.docking_tries_most = int(r.one("tried")), int(r.one("tries"))
+    out.flown = cast("pb.Mode", int(r.one("flown")))
     out.approach_heading_deg, out.fix_age_s = r.one("approach") * DEG, r.one("fix_age")
     out.captured = bool(r.one("captured"))
     return out

@@ -7,7 +7,7 @@ from math import asin, atan, cos, sin
 
 from bumpless.contract.enums import CREEP, ENTRY, TRANSIT
 from bumpless.control.docking.creep import creep_references
-from bumpless.control.docking.entry import entry_references
+from bumpless.control.docking.entry import clear_leg, entry_references
 from bumpless.control.docking.line import line_references
 from bumpless.control.guidance.guide import approach
 from bumpless.control.guidance.path import follow_path
@@ -100,7 +100,9 @@ def guide_docking(dt, settings, plan, s, situation, view, out):
     docking, navigation, guidance = s.docking, s.navigation, s.guidance
     law, reference, stage = settings.guidance, s.guidance.reference, s.docking.stage
     if stage == TRANSIT:
-        goals = follow_path(dt, law, plan, navigation, situation, guidance, out)
+        u_goal, z_goal, psi_d = follow_path(dt, law, plan, navigation, situation, guidance, out)
+        psi_d = clear_leg(settings.docking, plan, navigation, guidance.leg, out.along_track, psi_d, docking)
+        goals = u_goal, z_goal, psi_d
     else:
         out.cross_track, out.along_track = view.aside, view.left
         if stage == ENTRY:
