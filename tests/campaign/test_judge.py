@@ -15,13 +15,15 @@ from bumpless.contract.bumpless_pb2 import Metrics
 from bumpless.metrics import Ending
 from bumpless.runs.run import Run
 
-# how it ends -> mission, what is changed of it
+ABEAM = {"duration_s": "160", "environment": "{current_ned_mps: [0, 0.01, 0]}"}
+# case -> how it ends, mission, what is changed of it; nobody aborts or interrupts a campaign's flight
 ENDS = {
-    Ending.DOCKED: ("docking", {}),
-    Ending.HELD: ("docking", {"duration_s": 66}),
-    Ending.WAVED_OFF: ("docking_refused", {}),
-    Ending.TIME_OVER: ("docking", {"duration_s": 20}),
-    Ending.COLLIDED: ("remus_docking", {}),
+    "docked": (Ending.DOCKED, "docking", {}),
+    "captured": (Ending.DOCKED, "remus_docking", {}),
+    "held": (Ending.HELD, "docking", {"duration_s": "66"}),
+    "waved off": (Ending.WAVED_OFF, "docking_refused", {}),
+    "time over": (Ending.TIME_OVER, "docking", {"duration_s": "20"}),
+    "collided": (Ending.COLLIDED, "s4_mdca_bumpless", ABEAM),
 }
 HEAD = """version: 1
 name: one
@@ -34,7 +36,7 @@ draw:
 """
 
 
-def campaign_of(name: str, changed: dict[str, float], folder: Path) -> Prepared:
+def campaign_of(name: str, changed: dict[str, str], folder: Path) -> Prepared:
     """A campaign of one flight of a shipped mission with other numbers at its top."""
     text = (bumpless.config.mission.missions_folder() / f"{name}.yaml").read_text()
     lines = [line for line in text.splitlines() if line.partition(":")[0] not in changed]
@@ -47,10 +49,11 @@ def campaign_of(name: str, changed: dict[str, float], folder: Path) -> Prepared:
 @pytest.fixture(scope="module", params=list(ENDS))
 def judged(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> tuple[str, Row, Run]:
     """For each way to end: its word, a campaign's row, and the run of the same mission, plant and seed."""
-    prepared = campaign_of(*ENDS[request.param], tmp_path_factory.mktemp("one"))
+    ending, name, changed = ENDS[request.param]
+    prepared = campaign_of(name, changed, tmp_path_factory.mktemp("one"))
     mission, vehicle, parameters, alteration = replayed(prepared, 0)
     run = bumpless.fly(mission, vehicle, parameters=parameters, alter=alteration)
-    return request.param, FlyNumbers(prepared)([0])[0], run
+    return ending, FlyNumbers(prepared)([0])[0], run
 
 
 def test_a_row_is_the_outcome_of_the_run(judged: tuple[str, Row, Run]) -> None:

@@ -7,7 +7,7 @@ refuses, a reply without a confirmation. Frames are pushed one by one, so nothin
 import asyncio
 import json
 import threading
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -32,6 +32,7 @@ SCENE = "<!doctype html><title>scene</title><body style='margin:0;background:#12
 
 
 Messages = Iterable[tuple[str, Message]]
+Foresee = Callable[[dict[str, Any]], Iterable[dict[str, Any]]]
 
 
 @dataclass
@@ -64,6 +65,7 @@ class ContractServer:
         self._last: dict[str, pb.StreamMessage] = {}
         self._sockets: dict[WebSocket, asyncio.Queue[bytes]] = {}
         self._called = threading.Condition()
+        self.foresee: Foresee = lambda _: []
         self._held: dict[tuple[str, str], threading.Event] = {}
         self.start()
 
@@ -174,6 +176,16 @@ class ContractServer:
             return Response(body, status, media_type="application/octet-stream")
         return JSONResponse(body, status)
 
+    async def _foresight(self, socket: WebSocket) -> None:
+        await socket.accept()
+        try:
+            while True:
+                request = json.loads(await socket.receive_text())
+                for answer in self.foresee(request):
+                    await socket.send_text(json.dumps({"id": request["id"], **answer}))
+        except WebSocketDisconnect:
+            pass
+
     async def _stream(self, socket: WebSocket) -> None:
         await socket.accept()
         queue: asyncio.Queue[bytes] = asyncio.Queue()
@@ -201,6 +213,7 @@ class ContractServer:
         return Starlette(
             routes=[
                 WebSocketRoute("/api/stream", self._stream),
+                WebSocketRoute("/ws/foresight", self._foresight),
                 Route("/api/{path:path}", self._answer, methods=["GET", "POST", "PUT", "DELETE"]),
                 Route("/scene/{tab}/", scene),
                 Route("/", page),

@@ -1,4 +1,4 @@
-"""A recorded run seen again in the Live view, on the real server: seeks, plays, steps, and never looks live."""
+"""A recorded run seen again in the Live view, on the real server: it seeks, plays, and never looks live."""
 
 import re
 from collections.abc import Iterator

@@ -161,7 +161,7 @@ def test_values_that_are_no_numbers_are_shown_as_none(console: Page, server: Con
 
 
 def test_a_clock_that_steps_back_wipes_nothing(console: Page, server: ContractServer) -> None:
-    """Protects plots and events from the vehicle's clock: both began anew, and new events stood below old."""
+    """Protects plots and events from the vehicle's clock: both began anew, new events stood below old."""
     server.keep_saying([])
     for k in range(40):
         server.say(flight.cycle(30.0 + 0.25 * k))
@@ -236,13 +236,15 @@ def test_last_known_values_stay_readable(console: Page, server: ContractServer, 
         const rgb = text => text.match(/[\\d.]+/g).map(Number);
         const ground = e => { for (; e; e = e.parentElement) {
             const c = rgb(getComputedStyle(e).backgroundColor); if ((c[3] ?? 1) > 0.7) return c } };
-        const shown = e => { let o = 1; for (; e; e = e.parentElement) o *= +getComputedStyle(e).opacity; return o };
+        const shown = e => { let o = 1;
+            for (; e; e = e.parentElement) o *= +getComputedStyle(e).opacity; return o };
         let worst = 99, of = '';
         for (const e of document.querySelectorAll('.live [data-state="stale"] *')) {
             const own = [...e.childNodes].some(n => n.nodeType === 3 && n.textContent.trim());
             if (!own || e.closest('.sr, .mode-badge, .mode-letter') || !e.getClientRects().length) continue;
             const back = ground(e), share = shown(e);
-            const ink = rgb(getComputedStyle(e).color).slice(0, 3).map((v, i) => share * v + (1 - share) * back[i]);
+            const ink = rgb(getComputedStyle(e).color).slice(0, 3)
+                .map((v, i) => share * v + (1 - share) * back[i]);
             const [a, b] = [lum(ink), lum(back.slice(0, 3))];
             const contrast = (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
             if (contrast < worst) [worst, of] = [contrast, e.outerHTML.slice(0, 120)];

@@ -88,7 +88,7 @@ def test_what_is_refused_is_what_the_vehicle_gives_up(ts100, east) -> None:
 
 def test_the_headings_that_hold_lie_about_the_current(ts100, docking) -> None:
     """Protects: station keeping by heading, its margin and the nearest heading."""
-    station = station_keeping(ts100, default_parameters(ts100), (0.0, 0.1, 0.0), docking.target)
+    station = station_keeping(ts100, default_parameters(ts100), (0.0, 0.12, 0.0), docking.target)
     may, sure = (station.heading_deg[station.zone >= zone] for zone in (WARN, ACCEPT))
     assert station.chosen.zone == REFUSE and station.chosen.margin_mps < 0.0
     assert 250.0 < may.min() < sure.min() < 270.0 < sure.max() < may.max() < 290.0

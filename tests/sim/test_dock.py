@@ -109,7 +109,8 @@ def test_flight_is_captured_by_the_moving_dock(flown):
 def test_harder_than_they_bear_is_a_collision(flown):
     """Protects: a capture that breaks the dock is none."""
     columns = Columns.from_log(flown.log, 7)
-    columns.contact_most[:] = 5.0
+    assert columns.dock
+    columns.dock.contact_most[:] = 5.0
     outcome = outcome_of(columns, TS100, "completed")
     assert outcome.ending is Ending.COLLIDED and "5 N" in outcome.reason
 

@@ -24,7 +24,7 @@ def test_a_checklist_met_to_the_last_is_a_switch_and_no_other_is(ts100, publishe
     assert len(switches) >= 2
     for k, before in enumerate(lists[:-1]):
         met = [exit_ for exit_ in before.exits if all(guard.met for guard in exit_.guards)]
-        # the row is written after its own decision: a guard met in it is taken in the next cycle at the latest
+        # a row is written after its own decision: what is met in it is taken in the next cycle
         if met and modes[k + 1] == modes[k]:
             nearly = [abs(g.value - g.limit) < 0.1 for e in met for g in e.guards if g.unit == "m"]
             assert all(nearly), f"cycle {k}: all met and no switch"

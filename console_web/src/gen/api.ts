@@ -104,6 +104,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/compare": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Compared
+         * @description Two to six runs; the first is what the others are compared with.
+         */
+        get: operations["compared_api_compare_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/diagnostics": {
         parameters: {
             query?: never;
@@ -1255,6 +1275,71 @@ export interface components {
              * @default
              */
             run_id: string;
+        };
+        /**
+         * ComparedFigure
+         * @description One figure of every run; `changes` against the first.
+         */
+        ComparedFigure: {
+            /** About */
+            about: string;
+            /** Changes */
+            changes: ("better" | "worse" | "same" | "")[];
+            /** Decimals */
+            decimals: number;
+            /** Key */
+            key: string;
+            /** Label */
+            label: string;
+            /** Unit */
+            unit: string;
+            /** Values */
+            values: (number | null)[];
+        };
+        /**
+         * ComparedRun
+         * @description One of the runs; `moments` are mission times, s, that runs can be laid over each other at.
+         */
+        ComparedRun: {
+            /** Id */
+            id: string;
+            /** Mission */
+            mission: string;
+            /** Moments */
+            moments: {
+                [key: string]: number;
+            };
+            /** Outcome */
+            outcome: string;
+            /** Reason */
+            reason: string;
+        };
+        /**
+         * ComparedSetting
+         * @description What is not the same in all runs.
+         */
+        ComparedSetting: {
+            /**
+             * Kind
+             * @enum {string}
+             */
+            kind: "mission" | "parameters" | "software";
+            /** Name */
+            name: string;
+            /** Values */
+            values: string[];
+        };
+        /**
+         * ComparisonAnswer
+         * @description Figures and differences of two to six runs.
+         */
+        ComparisonAnswer: {
+            /** Figures */
+            figures: components["schemas"]["ComparedFigure"][];
+            /** Runs */
+            runs: components["schemas"]["ComparedRun"][];
+            /** Settings */
+            settings: components["schemas"]["ComparedSetting"][];
         };
         /**
          * Counted
@@ -3116,6 +3201,46 @@ export interface operations {
                 };
                 content: {
                     "application/jsonl": unknown;
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    compared_api_compare_get: {
+        parameters: {
+            query: {
+                run: string[];
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ComparisonAnswer"];
                 };
             };
             /** @description Refused, with the reason */

@@ -54,7 +54,7 @@ export function PlannerView({ hidden }: { hidden: boolean }) {
     if (!dragging.value) void learn(mission.value.vehicle);
   });
   useSignalEffect(() => {
-    if (!name.value) library.value = true;
+    library.value = name.value === "" && named() === "";
   });
   const close = (): void => {
     library.value = false;
@@ -72,7 +72,7 @@ export function PlannerView({ hidden }: { hidden: boolean }) {
           <PlanMap />
           <Profile />
         </div>
-        <div class="column planner-right">
+        <div class="column planner-right" data-tab={tab.value}>
           <ForecastPanel onPlace={() => undefined} />
           <Details />
         </div>

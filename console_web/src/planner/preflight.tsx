@@ -101,8 +101,14 @@ function Sheet() {
               checked={asked.value}
               onChange={(event) => (asked.value = event.currentTarget.checked)}
             />
-            I have read {soft.value.length === 1 ? "the warning" : `the ${soft.value.length} warnings`}:{" "}
-            {soft.value.map((finding) => finding.reason).join(" ")}
+            <span>
+              I have read {soft.value.length === 1 ? "the warning" : `the ${soft.value.length} warnings`}:
+              {soft.value.map((finding) => (
+                <span key={finding.code + finding.path} class="preflight-reason">
+                  {finding.reason}
+                </span>
+              ))}
+            </span>
           </label>
         )}
         {notice.value && <RefusalNotice title={notice.value.title} refusal={notice.value.refusal} />}

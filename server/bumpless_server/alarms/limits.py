@@ -6,6 +6,7 @@
 import logging
 import tomllib
 from pathlib import Path
+from typing import Annotated
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
@@ -17,14 +18,14 @@ class Limits(BaseModel):
 
     model_config = ConfigDict(extra="forbid", frozen=True)
 
-    depth_m: float = Field(0.3, gt=0.0)
-    heading_deg: float = Field(12.0, gt=0.0)
-    cross_track_m: float = Field(1.5, gt=0.0)
-    speed_mps: float = Field(0.25, gt=0.0)
-    for_s: float = Field(10.0, ge=0.0)  # how long an error must last
-    after_switch_s: float = Field(8.0, ge=0.0)  # after a switch a vehicle may be off for so long
-    saturated_s: float = Field(5.0, ge=0.0)  # an actuator at its bound for so long
-    clock_s: float = Field(60.0, gt=0.0)  # between the vehicle's clock and the server's
+    depth_m: Annotated[float, Field(gt=0.0)] = 0.3
+    heading_deg: Annotated[float, Field(gt=0.0)] = 12.0
+    cross_track_m: Annotated[float, Field(gt=0.0)] = 1.5
+    speed_mps: Annotated[float, Field(gt=0.0)] = 0.25
+    for_s: Annotated[float, Field(ge=0.0)] = 10.0  # how long an error must last
+    after_switch_s: Annotated[float, Field(ge=0.0)] = 8.0  # after a switch a vehicle may be off for so long
+    saturated_s: Annotated[float, Field(ge=0.0)] = 5.0  # an actuator at its bound for so long
+    clock_s: Annotated[float, Field(gt=0.0)] = 60.0  # between the vehicle's clock and the server's
 
 
 def read_limits(path: Path) -> Limits:

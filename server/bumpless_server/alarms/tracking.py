@@ -80,7 +80,8 @@ def _sentence(
     look = LOOKS.get(mode)
     where = f" in {look.name.lower()}" if look else ""
     gap = "" if unit == "°" else " "
-    return f"{name.capitalize()} {_way(name, error)} by {abs(error):.2f}{gap}{unit}{where}: {_cause(name, control, actuators)}."
+    what = f"{name.capitalize()} {_way(name, error)} by {abs(error):.2f}{gap}{unit}{where}"
+    return f"{what}: {_cause(name, control, actuators)}."
 
 
 def _way(name: str, error: float) -> str:

@@ -75,7 +75,7 @@ def _announce(settings: Settings, listener: socket.socket) -> None:
 
 
 def _say(text: str) -> None:
-    """A line for the terminal. Its reader may be gone, as `tee` after the same Ctrl-C: no reason to stay."""
+    """A line for the terminal. Its reader may be gone, as `tee` is after the same Ctrl-C."""
     try:
         print(text, flush=True)
     except OSError:

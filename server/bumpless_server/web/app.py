@@ -17,6 +17,7 @@ from bumpless_server.web.guard import Guard
 from bumpless_server.web.guesses import Guesses
 from bumpless_server.web.routes import (
     alarms,
+    compare,
     declared,
     diagnostics,
     exchange,
@@ -49,6 +50,7 @@ ROUTERS = tuple(
         planning,
         parameters,
         declared,
+        compare,
         replay,
         runs,
         stream,

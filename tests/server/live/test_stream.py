@@ -66,6 +66,27 @@ async def test_a_blocked_browser_costs_few_messages_per_topic_and_delays_nobody(
     assert len(stream) == 0
 
 
+async def test_a_browser_that_keeps_up_misses_no_cycle() -> None:
+    """Protects: frames that drifted against the vehicle skipped 2.4 % of all cycles for every browser."""
+    state = State("ts100")
+    stream = Stream(state)
+    frames: list[bytes] = []
+    enough = asyncio.Event()
+
+    async def send(frame: bytes) -> None:
+        frames.append(frame)
+        if sum(len(numbers(one, "tlm/navigation")) for one in frames) >= 60:
+            enough.set()
+
+    task = asyncio.create_task(stream.serve(send))
+    for number in range(60):  # at twice the pace of the frames
+        state.feed(sample("tlm/navigation", number))
+        await asyncio.sleep(FRAME_PERIOD_S / 2)
+    await enough.wait()
+    task.cancel()
+    assert [n for frame in frames for n in numbers(frame, "tlm/navigation")] == list(range(60))
+
+
 async def test_a_new_browser_begins_with_the_last_two_minutes() -> None:
     """Plots of a reloaded page are not empty; what is kept for them is bounded and never live-looking."""
     state = State("ts100")

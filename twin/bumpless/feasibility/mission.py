@@ -16,7 +16,7 @@ def check_mission(mission: Mission, vehicle: Vehicle | None = None) -> tuple[Fin
     parameters = with_overrides(default_parameters(vehicle), mission.parameters)
     found = [
         *check_legs(mission, vehicle, parameters),
-        *check_time(mission, parameters),
+        *check_time(mission, vehicle, parameters),
         *check_end(mission),
         *check_dock(mission, vehicle, parameters),
         *check_sight(mission, vehicle, parameters),

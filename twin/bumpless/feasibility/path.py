@@ -12,11 +12,13 @@ from bumpless.config.vehicle import Vehicle
 from bumpless.control.docking.line import approach_speed
 from bumpless.feasibility.finding import HARD, SOFT, Finding, Mend
 from bumpless.feasibility.reach import docking_settings, plain, top_speed
+from bumpless.feasibility.station import station_keeping
 from bumpless.physics.model import build_model
 
 _CRAB_MOST = 0.35  # sine of the largest crab angle
 _ASIDE_M = 6.0  # from the last leg's end to the observation point: an approach can make up for no more
 _DEEPER_M = 1.0
+_JOINED_RAD = 0.9  # of turn on to the approach line, as in `control.docking.gates.can_join`
 
 
 def check_legs(mission: Mission, vehicle: Vehicle, parameters: Parameters) -> Iterator[Finding]:
@@ -96,10 +98,32 @@ def approach_time(parameters: Parameters, mission: Mission) -> float:
     return float(np.sum(0.05 / speeds[slow]) - np.sum(slow) * 0.05 / speed)
 
 
-def check_time(mission: Mission, parameters: Parameters) -> Iterator[Finding]:
+def round_time(mission: Mission, vehicle: Vehicle, parameters: Parameters) -> float:
+    """Time that the way round to the approach line adds to the last leg, s; 0 where the leg leads on to it.
+
+    A turn by delta on to a line that begins d before the dock: about d (1 - cos delta) + R delta.
+    """
+    d, speed = parameters.docking, mission.legs[-1].speed_mps
+    if not d.enabled:
+        return 0.0
+    start, end = mission.path_ned_m[-2:]
+    short = math.dist(start, end) < d.entry_distance_m + 2.0 * d.turn_radius_m  # it is decided as it begins
+    before, after = mission.path_ned_m[-3:-1] if short and len(mission.legs) > 1 else (start, end)
+    course = math.atan2(after[1] - before[1], after[0] - before[0])
+    current = mission.environment.current_ned_mps
+    heading = math.radians(station_keeping(vehicle, parameters, current, mission.target).chosen_deg)
+    turn = abs((heading - course + math.pi) % (2.0 * math.pi) - math.pi)
+    room = math.dist(start, end) - parameters.supervisor.range_fr_lower_m - 1.5 * d.turn_radius_m * turn
+    if turn < _JOINED_RAD and room > 0.0:
+        return 0.0
+    turn = turn if turn >= _JOINED_RAD else math.pi
+    return (d.entry_distance_m * (1.0 - math.cos(turn)) + d.turn_radius_m * turn) / speed
+
+
+def check_time(mission: Mission, vehicle: Vehicle, parameters: Parameters) -> Iterator[Finding]:
     """Is the way flown within the duration, with the approach and the hold?"""
     way = sum(leg_time(mission, i) for i in range(len(mission.legs)))
-    more = approach_time(parameters, mission)
+    more = approach_time(parameters, mission) + round_time(mission, vehicle, parameters)
     hold = mission.end.hover_hold_s or 10.0
     total, most = way + more + hold, mission.duration_s
     if not math.isfinite(way):

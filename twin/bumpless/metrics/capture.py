@@ -47,13 +47,12 @@ class Capture:
 
 def capture_of(run: Columns) -> Capture | None:
     """None where there is no dock to enter; its place is known to the truth alone, its latch to all."""
-    force, most = run.contact_force, run.contact_most
-    has_dock = bool(np.any(most > 0.0)) or bool(run.captured.any())
-    if not len(run) or not has_dock:
+    dock = run.dock
+    if not len(run) or dock is None:
         return None
-    shut = np.flatnonzero(run.captured)
+    force, most, shut = dock.contact_force, dock.contact_most, np.flatnonzero(dock.captured)
     first = int(shut[0]) if len(shut) else len(run)
-    inside = run.nose_depth[:first] >= 0.0
+    inside = dock.nose_depth[:first] >= 0.0
     came_in = np.flatnonzero(inside[1:] & ~inside[:-1]) + 1
     entered = int(came_in[-1]) if len(came_in) else None
     hardest = int(np.nanargmax(force)) if np.isfinite(force).any() else 0
@@ -65,5 +64,5 @@ def capture_of(run: Columns) -> Capture | None:
         force_max_n=float(force[hardest]),
         force_most_n=float(most[hardest]),
         force_max_s=float(run.time[hardest]),
-        entry_offset_m=_NAN if entered is None else float(run.nose_offset[entered]),
+        entry_offset_m=_NAN if entered is None else float(dock.nose_offset[entered]),
     )

@@ -8,6 +8,7 @@ from typing import BinaryIO
 import zstandard
 from lz4.frame import LZ4FrameDecompressor
 from mcap.exceptions import McapError
+from mcap.reader import make_reader
 from mcap.records import Chunk, McapRecord
 from mcap.stream_reader import CRCValidationError, StreamReader, breakup_chunk
 
@@ -37,8 +38,23 @@ def records_of(file: BinaryIO, size: int, note: Note = lambda text: None) -> Ite
             inner = breakup_chunk(unpacked(record))
         except _DAMAGE as error:
             note(f"a chunk is damaged and left out: {error or type(error).__name__}")
+            yield from _told_again(file)
             continue
         yield from inner
+
+
+def _told_again(file: BinaryIO) -> Iterator[McapRecord]:
+    """Schemas and channels from the end of a whole file: the damaged chunk may have held them."""
+    place = file.tell()
+    file.seek(0)
+    try:
+        summary = make_reader(file).get_summary()
+    except _DAMAGE:
+        summary = None
+    file.seek(place)
+    if summary is not None:
+        yield from summary.schemas.values()
+        yield from summary.channels.values()
 
 
 def unpacked(chunk: Chunk) -> Chunk:

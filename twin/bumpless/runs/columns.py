@@ -16,7 +16,7 @@ from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.keys import SAID
 from bumpless.contract.units import EDGE_PER_SI
 from bumpless.metrics import Columns, Figures, figures_of
-from bumpless.metrics.columns import FLOWN
+from bumpless.metrics.columns import FLOWN, DockColumns
 from bumpless.runs.figures import how_ended, why_ended
 from bumpless.runs.names import DESCRIPTION, MISSION, PLAN, TRUTH
 from bumpless.runs.read import log_messages
@@ -149,17 +149,20 @@ def _joined(columns: dict[str, _Column]) -> Columns:
         eta=known[:, 6:12],
         nu=known[:, 12:18],
         target_true=known[:, 18:21],
-        captured=supervisor[:, 9].astype(np.int64),
-        contact_force=known[:, 21],
-        contact_most=known[:, 22],
-        nose_depth=known[:, 23],
-        nose_offset=known[:, 24],
+        dock=_dock(supervisor[:, 9].astype(np.int64), known[:, 21:25]),
         u=actuators[:, :n_u],
         du_max=actuators[:, n_u : 2 * n_u],
         u_feedback=actuators[:, 2 * n_u :],
         status=allocation[:, 0].astype(np.int64),
         solve_time=allocation[:, 1],
     )
+
+
+def _dock(captured: np.ndarray, known: np.ndarray) -> DockColumns | None:
+    """None where there is no dock to enter: nobody felt one, and no latch closed."""
+    if not np.any(known[:, 1] > 0.0) and not captured.any():
+        return None
+    return DockColumns(captured, known[:, 0], known[:, 1], known[:, 2], known[:, 3])
 
 
 _DOCKING = ("docking_stage", "docking_tries", "wave_off_reason", "approach_heading_deg", "captured")

@@ -1,4 +1,5 @@
 // A finding's change of the document, made with one press.
+import { fitSoon } from "../map/camera";
 import { short } from "../model/document";
 import type { Ned } from "../model/geometry";
 import { dockEdits, moveEdits } from "../model/operations";
@@ -13,6 +14,7 @@ function place(value: Mend["value"]): Ned | undefined {
 /** Make the change; what hangs on the dock goes along with it. */
 export function mend({ label, path, value }: Mend): void {
   const view = mission.peek();
+  fitSoon.value = true;
   const to = place(value);
   if (path === "target.heading_deg" && typeof value === "number")
     edit(label, dockEdits(view, { heading: value }));

@@ -16,6 +16,9 @@ const turnOf = (): number =>
   dockUp.value && mission.value.dock ? (mission.value.dock.heading * Math.PI) / 180 : 0;
 export const viewport = computed<Viewport>(() => ({ ...unturned.value, turn: turnOf() }));
 
+/** The next forecast shall be in view as a whole: a plan was opened, a dock placed, a finding mended. */
+export const fitSoon = signal(true);
+
 export function look(next: Viewport): void {
   unturned.value = next;
 }

@@ -3,7 +3,7 @@ import { signal } from "@preact/signals";
 import { bearing, type Ned, snapped } from "../model/geometry";
 import { addWaypoint, defaultDepth, placeDock, setCurrent, splitLeg } from "../model/operations";
 import { drag, drop, letGo, mission, selected } from "../model/plan";
-import { look, size, viewport } from "./camera";
+import { fitSoon, look, size, viewport } from "./camera";
 import { currentAt, pulled } from "./grip_drag";
 import { DIAL, dialScale, type Grip, gripAt, gripsOf } from "./grips";
 import type { Gestures, Press } from "./surface";
@@ -150,6 +150,7 @@ function release(at: Press, cancelled: boolean): void {
     if (was.kind === "current" && moved) selected.value = ["current"];
   } else if (was.kind === "dock") {
     placeDock(was.at, was.heading);
+    fitSoon.value = true;
     tool.value = "select";
   } else if (was.kind === "box" && moved) boxed(from, at);
   else if (was.kind === "click" && !moved) clicked(at);

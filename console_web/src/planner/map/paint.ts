@@ -1,8 +1,8 @@
 // The plan from above, drawn on a canvas: quick at any number of legs, without a graphics card.
 import { colour, font } from "../../lib/theme";
 import type { Flight, Nominal } from "../fly/foresight";
-import { along, type Ned, niceStep, observationPoint } from "../model/geometry";
-import type { MissionView } from "../model/mission";
+import { along, type Ned, niceStep, observationPoint, turn } from "../model/geometry";
+import { approachOf, type MissionView } from "../model/mission";
 import type { Figures } from "./figures";
 import { arm, DIAL, dialScale, dialTip } from "./grips";
 import { type Px, type Size, toMetres, toPx, type Viewport } from "./viewport";
@@ -90,7 +90,7 @@ function paintGrid(c: Ctx, s: Scene): void {
   for (let y = Math.ceil(y0 / step) * step; y <= y1; y += step) {
     line(x0, y, x1, y, Math.abs(y) < step / 2);
     const [, at] = toPx(s.viewport, s.size, 0, y);
-    if (northUp && at > 130 && at < height - 24) {
+    if (northUp && at > 152 && at < height - 24) {
       c.textAlign = "left";
       c.fillText(`N ${name(y)}`, 5, at - 3);
     }
@@ -120,7 +120,8 @@ function angle(s: Scene, heading: number): number {
   return ((heading - 90) * Math.PI) / 180 - s.viewport.turn;
 }
 
-function paintDockZones(c: Ctx, s: Scene, dock: NonNullable<MissionView["dock"]>): void {
+function paintDockZones(c: Ctx, s: Scene, wanted: NonNullable<MissionView["dock"]>): void {
+  const dock = { ...wanted, heading: approachOf(wanted, s.view.current) };
   const f = s.figures;
   const [x, y] = px(s, dock.at);
   const k = s.viewport.sx;
@@ -160,7 +161,7 @@ function paintDockZones(c: Ctx, s: Scene, dock: NonNullable<MissionView["dock"]>
   }
   if (dock.tolerance > 0 && dock.tolerance < 180 && !dock.intoCurrent) {
     const t = (dock.tolerance * Math.PI) / 180;
-    const back = angle(s, dock.heading + 180);
+    const back = angle(s, wanted.heading + 180);
     c.fillStyle = colour("--reference");
     c.globalAlpha = 0.12;
     c.beginPath();
@@ -436,7 +437,17 @@ function paintDock(c: Ctx, s: Scene, dock: NonNullable<MissionView["dock"]>): vo
   c.beginPath();
   c.arc(ox, oy, on ? 7 : 4, 0, TAU);
   c.stroke();
-  text(c, `Dock ${dock.heading.toFixed(0).padStart(3, "0")}°`, x + 14, y - 14, on ? "--ink" : "--ink-2", 600);
+  text(c, dockLabel(dock, s.view.current), x + 14, y - 14, on ? "--ink" : "--ink-2", 600);
+}
+
+function dockLabel(dock: NonNullable<MissionView["dock"]>, current: Ned): string {
+  const own = `Dock ${degrees(dock.heading)}`;
+  const used = approachOf(dock, current);
+  return Math.abs(turn(dock.heading, used)) > 0.5 ? `${own}, approach ${degrees(used)}` : own;
+}
+
+function degrees(heading: number): string {
+  return `${heading.toFixed(0).padStart(3, "0")}°`;
 }
 
 function paintVehicle(c: Ctx, s: Scene, v: { north: number; east: number; heading: number }): void {

@@ -1,4 +1,5 @@
 // The plan from above: draw, drag, look around. All of it works by keyboard too (see keys.ts).
+import { untracked, useSignalEffect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { fixed } from "../../lib/format";
 import { flying } from "../../stream/link";
@@ -8,7 +9,7 @@ import { onPlanKey } from "../keys";
 import { badge, name } from "../model/library";
 import { dragging, mission, selected } from "../model/plan";
 import { NextStep } from "../next_step";
-import { look, showAll, size, viewport } from "./camera";
+import { fitSoon, look, showAll, size, viewport } from "./camera";
 import { figures } from "./figures";
 import { box, cursorAt, gestures, hovered } from "./map_gestures";
 import { paintPlan, type Scene } from "./paint";
@@ -59,8 +60,14 @@ export function PlanMap() {
   useEffect(() => {
     if (!ready || !open || fittedTo.current === open) return;
     fittedTo.current = open;
+    fitSoon.value = true;
     showAll();
   }, [ready, open]);
+  useSignalEffect(() => {
+    if (!fitSoon.value || dragging.value || !plan.current.value || !plan.forecast.value?.nominal) return;
+    fitSoon.value = false;
+    untracked(showAll);
+  });
   const v = viewport.value;
   return (
     <section class="panel plan-map" aria-label="Plan from above">

@@ -129,12 +129,3 @@ function patch(value: unknown, path: Path, put: unknown): unknown {
   if (Array.isArray(value)) return value.map((item, index) => (index === key ? inner : item));
   return { ...(value as object), [key]: inner };
 }
-
-/** Line, from 1, on which `path` or the nearest part above it stands. */
-export function lineOf(doc: Document, text: string, path: Path): number {
-  for (let end = path.length; end > 0; end--) {
-    const node = doc.getIn(path.slice(0, end), true) as { range?: [number, number, number] } | undefined;
-    if (node?.range) return text.slice(0, node.range[0]).split("\n").length;
-  }
-  return 1;
-}

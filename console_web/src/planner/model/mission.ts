@@ -1,5 +1,8 @@
 // What views need of a mission, read leniently: half-written text must not blank the screen.
-import type { Ned } from "./geometry";
+import { bearing, type Ned, turn, wrapped } from "./geometry";
+
+/** Slower water has no direction worth turning into. */
+const STILL_MPS = 0.01;
 
 export interface Leg {
   at: Ned;
@@ -17,6 +20,14 @@ export interface Dock {
   tolerance: number;
   intoCurrent: boolean;
 }
+/** The heading it will come in with: the dock's own, or against the current where it is left to the vehicle. */
+export function approachOf(dock: Dock, current: Ned): number {
+  const free = dock.intoCurrent ? 180 : dock.tolerance;
+  if (free === 0 || Math.hypot(current[0], current[1]) < STILL_MPS) return dock.heading;
+  const off = turn(dock.heading, wrapped(bearing([0, 0, 0], current) + 180));
+  return wrapped(dock.heading + Math.max(-free, Math.min(free, off)));
+}
+
 export interface Fault {
   actuator: string;
   at: number;

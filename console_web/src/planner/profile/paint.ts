@@ -18,8 +18,8 @@ export interface ProfileScene {
 
 type Ctx = CanvasRenderingContext2D;
 const MODES: Record<string, string> = { F: "--mode-forward", R: "--mode-reverse", H: "--mode-hover" };
-export const STRIP_PX = 9; // the mode strip below, and the load strip below it
-export const FOOT_PX = 34;
+export const STRIP_PX = 11; // the mode strip below, and the load strip below it
+export const FOOT_PX = 40;
 
 export interface Knot {
   thing: string;
@@ -166,7 +166,7 @@ function paintStrip(c: Ctx, s: ProfileScene, x0: number, x1: number, mode: strin
   c.fillStyle = colour("--on-mode");
   c.font = font("--text-3xs", 800);
   c.textAlign = "center";
-  c.fillText(mode, (x0 + x1) / 2, y + STRIP_PX - 1);
+  c.fillText(mode, (x0 + x1) / 2, y + STRIP_PX - 2);
 }
 
 /** How near its bound the most used actuator is: from nothing to full height and red. */

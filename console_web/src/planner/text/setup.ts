@@ -39,6 +39,16 @@ const LOOK = EditorView.theme({
   ".cm-completionDetail": { fontStyle: "normal", color: "var(--ink-2)" },
   ".cm-diagnostic-error": { borderLeftColor: "var(--alarm)" },
   ".cm-diagnostic-warning": { borderLeftColor: "var(--warning)" },
+  // Marks of our own: the library's are pictures in the style sheet, which the page's policy refuses.
+  ".cm-lint-marker": {
+    content: "normal",
+    width: "0.7em",
+    height: "0.7em",
+    borderRadius: "50%",
+    margin: "0.3em 0",
+  },
+  ".cm-lint-marker-error": { content: "normal", backgroundColor: "var(--alarm)" },
+  ".cm-lint-marker-warning": { content: "normal", backgroundColor: "var(--warning)", borderRadius: "0.1em" },
   ".cm-lintRange-error": { backgroundImage: "none", borderBottom: "2px solid var(--alarm)" },
   ".cm-lintRange-warning": { backgroundImage: "none", borderBottom: "2px solid var(--warning)" },
 });

@@ -1,7 +1,7 @@
 """Recorded runs as the same typed frames that the stream sends: a moment, or a range of them."""
 
 import struct
-from typing import Annotated
+from typing import Annotated, Any
 
 from fastapi import APIRouter, Query, Response
 
@@ -16,7 +16,7 @@ router = APIRouter(prefix="/api/runs", responses=REFUSALS)
 
 FRAMES = "application/octet-stream"
 MOST = 4000  # cycles in one answer
-BINARY = {200: {"content": {FRAMES: {}}}}
+BINARY: dict[int | str, dict[str, Any]] = {200: {"content": {FRAMES: {}}}}
 Seconds = Annotated[float, Query(ge=-1e9, le=1e9, allow_inf_nan=False)]
 
 

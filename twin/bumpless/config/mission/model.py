@@ -11,7 +11,7 @@ from dataclasses import field
 from typing import Annotated, Any, Literal
 
 from bumpless.config.capacity import MAX_FAULTS, MAX_WAYPOINTS
-from bumpless.config.declare import Choice, Entries, Number, Overrides, Part, Row, Text, model
+from bumpless.config.declare import Choice, Entries, Number, Overrides, Part, Row, Switch, Text, model
 from bumpless.config.mission.dock import Dock, Motion
 from bumpless.config.mission.notes import Vector3, direction, moment, position
 from bumpless.config.mission.origin import Origin
@@ -94,8 +94,10 @@ class Target:
 
     @property
     def dock_radius_m(self) -> float:
-        """Of the circle about the target that holds the dock."""
-        return math.hypot(0.5 * self.dock_width_m, self.dock_length_m)
+        """Of the circle about the target that holds the dock, its funnel too."""
+        body = math.hypot(0.5 * self.dock_width_m, self.dock_length_m)
+        funnel = math.hypot(self.dock.entry_before_marker_m, self.dock.entry_radius_m) if self.dock else 0.0
+        return max(body, funnel)
 
     dock: Annotated[Dock | None, Part("Dock to enter, behind the observation point")] = None
     motion: Annotated[Motion | None, Part("Motion of a hung dock")] = None
@@ -161,6 +163,11 @@ class Document:
         dict[str, Any], Overrides("Overrides of the vehicle's control parameters", of=Parameters)
     ] = field(default_factory=dict[str, Any])
     end: Annotated[End, Part("Early end")] = End()
+    actuator_flow: Annotated[
+        bool,
+        Switch("Flow at the actuators of the simulated vehicle",
+               help="Screws in four quadrants, wash over fins and what else the vehicle file says of flow."),
+    ] = False  # fmt: skip
     trim: Annotated[Trim | None, Part("Ballast and buoyancy of the simulated vehicle")] = None
     origin: Annotated[
         Origin | None, Part("Where the local frame lies on the earth", help="For charts and other programs.")

@@ -75,6 +75,11 @@ class DockingParameters:
     ] = 0.03
     crab_far: Annotated[float, share("Largest heading correction far out", "crab_far", "Its sine.")] = 0.35
     crab_near: Annotated[float, share("The same at the observation point", "crab_near", "Its sine.")] = 0.05
+    crab_free: Annotated[
+        float,
+        share("The same where the approach heading may follow the hull", "crab_free",
+              "Its sine. In H the heading follows, and the angle goes."),
+    ] = 0.15  # fmt: skip
     crab_slope_per_m: Annotated[
         float, Number("Its growth with distance", "1/m", 0.0, 1.0, record="crab_slope")
     ] = 0.08
@@ -91,14 +96,12 @@ class DockingParameters:
         float, spell("Time in which the approach heading follows the current", "turn_time", 0.1)
     ] = 30.0
     turn_until_m: Annotated[float, way("Where that ends", "turn_until")] = 2.5
-    weathervane_s: Annotated[float, spell("Time in which it follows the hull in H", "weathervane", 0.1)] = (
-        40.0
-    )
+    weathervane_s: Annotated[float, spell("Time in which it follows the hull in H", "weathervane", 0.1)] = 8.0
     # what can't be held is refused before the start and given up in flight; what surely can is accepted;
     # between the two lies a warning
-    side_still_mps: Annotated[float, pace("Most current across that is borne at rest", "side_still")] = 0.014
-    side_share: Annotated[float, share("And per m/s of head current", "side_share")] = 0.12
-    following_mps: Annotated[float, pace("Most current from astern that is borne", "following")] = 0.08
+    side_still_mps: Annotated[float, pace("Most current across that is borne at rest", "side_still")] = 0.018
+    side_share: Annotated[float, share("And per m/s of head current", "side_share")] = 0.15
+    following_mps: Annotated[float, pace("Most current from astern that is borne", "following")] = 0.1
     sure_side_still_mps: Annotated[
         float, pace("Current across that is surely borne at rest", "", "Asked by the mission's check only.")
     ] = 0.006
