@@ -3,9 +3,9 @@
     python -m tests.bench.foresight [--edits 30] [--fans 5]
     python -m tests.bench.foresight --chance 30 [--fresh 1000] [--json FILE]
 
-Speeds are wall times of the real processes, from a request's sending to the message's arrival; the browser's own
-part is measured in the browser. `--chance` flies as many missions and counts in how many the interval of a fan of
-200 holds the share of fresh flights, drawn with other seeds, that dock.
+Speeds are wall times of the real processes, from a request's sending to the message's arrival; the browser's
+own part is measured in the browser. `--chance` flies as many missions and counts on how many the interval of
+a fan of 200 holds the share of fresh flights, drawn with other seeds, that dock.
 """
 
 import argparse
@@ -99,8 +99,6 @@ def chance(missions: int, fresh: int) -> list[dict[str, Any]]:
 
 def _docked(part: tuple[str, int, int, int]) -> int:
     """How many of `count` drawn flights from `first` on dock."""
-    import os
-
     from bumpless.campaign.flight import Hangar
     from bumpless.campaign.ready import ready
     from bumpless_server.foresight import fan
@@ -108,7 +106,6 @@ def _docked(part: tuple[str, int, int, int]) -> int:
     from bumpless_server.foresight.wanted import ForesightRequest
 
     text, seed, first, count = part
-    os.nice(max(0, 10 - os.nice(0)))
     ready()
     drawn = fan.prepared(plan_of(ForesightRequest.model_validate({"id": 0, "text": text, "seed": seed})))
     return sum(flight.outcome == "docked" for flight in fan.fly(drawn, first, count, Hangar()))
