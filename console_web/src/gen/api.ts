@@ -1703,6 +1703,8 @@ export interface components {
             /** Switches */
             switches: components["schemas"]["ForesightSwitch"][];
             track: components["schemas"]["ForesightTrack"];
+            /** Tuned */
+            tuned: boolean;
         };
         /**
          * ForesightOutcome
