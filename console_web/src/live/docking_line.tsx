@@ -11,7 +11,7 @@ const STAGES: Record<DockingStage, string> = {
   [DockingStage.BACK]: "Backing off",
   [DockingStage.HOLD]: "Holding clear of the dock",
   [DockingStage.CREEP]: "Creeping into the dock",
-  [DockingStage.CAPTURED]: "In the dock",
+  [DockingStage.CAPTURED]: "Latched in the dock",
 };
 const FRESH_FIX_S = 2;
 
