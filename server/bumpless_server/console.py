@@ -16,8 +16,12 @@ from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.version import software_version
 from bumpless.runs.names import COMPLETE, DESCRIPTION
 from bumpless.runs.view import View
+from bumpless_server.alarms.limits import read_limits
+from bumpless_server.alarms.watch import Watch
 from bumpless_server.audit import Audit
 from bumpless_server.data_dir import DataDir
+from bumpless_server.foresight.checked import Findings
+from bumpless_server.foresight.foresight import Foresight
 from bumpless_server.live.ask import NoAnswer
 from bumpless_server.live.bus import Bus
 from bumpless_server.live.clock import VehicleClock
@@ -32,11 +36,13 @@ from bumpless_server.live.state import State
 from bumpless_server.live.stream import Stream
 from bumpless_server.live.tally import KINDS, Tally, printable
 from bumpless_server.live.tuned import Tuned
+from bumpless_server.plan.library import Library
 from bumpless_server.plan.missions import Missions
 from bumpless_server.plan.presets import Presets
 from bumpless_server.runs.catalogue import Catalogue
 from bumpless_server.runs.disk_budget import DiskBudget
 from bumpless_server.runs.recorder import Recorder
+from bumpless_server.runs.replays import Replays
 from bumpless_server.settings import Settings
 from bumpless_server.vehicle_process.node_command import node_command
 from bumpless_server.vehicle_process.supervise import Supervisor
@@ -59,8 +65,12 @@ class Console:
         self.data = DataDir(settings.data_dir)
         self.state = State(settings.vehicle_id)
         self.missions = Missions(self.data.missions, vehicle=self.vehicle)
+        self.library = Library(self.missions, self.data)
         self.presets = Presets(self.data.presets)
+        self.findings = Findings()
+        self.foresight = Foresight(self.vehicle)  # on the web's loop, which ends it
         self.catalogue = Catalogue(self.data.runs, self.data.index)
+        self.replays = Replays()
         self.recorder = Recorder(
             self.data.runs,
             self.say,
@@ -74,6 +84,11 @@ class Console:
                 settings.disk_free_bytes,
                 *([self._prune] if settings.runs_prune else []),
             ),
+        )
+        self.alarms = Watch(
+            lambda: read_limits(self.data.limits / f"{settings.vehicle_id}.toml"),
+            self.data.alarms,
+            self._tell,
         )
         self.stream = Stream(self.state)
         self.tally, self.clock, self.speaker = Tally(self._set_aside), VehicleClock(), Speaker()
@@ -127,12 +142,16 @@ class Console:
             self.audit.open()
             self.catalogue.open()
             stack.callback(self.catalogue.close)
+            stack.callback(self.replays.close)
             self.state.subscribe(self.recorder.offer)
             self.recorder.start()
             stack.callback(self.recorder.stop)
             self.dispatcher.start()
             stack.callback(self.dispatcher.stop)
             stack.callback(self.desk.close)
+            self.state.subscribe(self.alarms.offer)
+            self.alarms.start()
+            stack.callback(self.alarms.stop)
             stack.callback(self.bus.close)
             self.bus.open()
             indexing = threading.Thread(target=self._index, name="catalogue", daemon=True)
@@ -251,6 +270,9 @@ class Console:
 
         with contextlib.suppress(Busy, RuntimeError):
             self.desk.submit(Command("set_parameters", parameters, author="server")).add_done_callback(told)
+
+    def _tell(self, sample: Sample) -> None:
+        self.dispatcher.sample(sample)
 
     def _on_link(self, link: pb.LinkState) -> None:
         log.info("link to %s: %s", self.state.vehicle_id, pb.LinkState.Name(link).removeprefix("LINK_STATE_"))

@@ -12,13 +12,20 @@ class DataDirError(RuntimeError):
 
 
 class DataDir:
-    """data_dir/{runs,missions,presets}, index.sqlite, audit.jsonl, node.json, node.log, secret and a lock."""
+    """data_dir/{runs,missions,mission_*,presets,limits}, index.sqlite, audit.jsonl, alarms.json, node.*,
+    secret and a lock."""
 
     def __init__(self, root: Path) -> None:
         self.root = root
         self.runs = root / "runs"
         self.missions = root / "missions"
+        self.versions = root / "mission_history"
+        self.bin = root / "mission_bin"
+        self.drafts = root / "mission_drafts"
+        self.marks = root / "mission_marks.json"
         self.presets = root / "presets"
+        self.limits = root / "limits"
+        self.alarms = root / "alarms.json"
         self.index = root / "index.sqlite"
         self.node_record = root / "node.json"
         self.audit = root / "audit.jsonl"
@@ -28,7 +35,8 @@ class DataDir:
     def open(self) -> None:
         """Make the folders and take the lock. Raises DataDirError."""
         try:
-            for folder in (self.runs, self.missions, self.presets):
+            made = (self.runs, self.missions, self.versions, self.bin, self.drafts, self.presets, self.limits)
+            for folder in made:
                 folder.mkdir(parents=True, exist_ok=True)
             lock = (self.root / "lock").open("w")
         except OSError as error:

@@ -75,7 +75,9 @@ class Settings(BaseSettings):
         default=200_000_000, ge=0, description="free bytes on the disk below which nothing is recorded"
     )
     upload_bytes: int = Field(
-        default=1_000_000, ge=1, description="largest body of a request: mission file, preset"
+        default=8_000_000,
+        ge=1,
+        description="largest body of a request: mission file, preset, another program's mission",
     )
 
     @field_validator("zenoh_listen", "zenoh_connect", "allowed_hosts", mode="before")

@@ -1,7 +1,7 @@
 """The live view shows what the stream says, and never passes old values off as present ones."""
 
 import pytest
-from playwright.sync_api import Page, expect
+from playwright.sync_api import Browser, Page, expect
 
 from bumpless.contract import bumpless_pb2 as pb
 from tests.console import flight
@@ -82,7 +82,8 @@ def test_a_vehicle_with_other_actuators_and_sway_is_shown_whole(
     )
     drives = [pb.Actuator(name=n, unit="rpm", amplitude_lower=-900, amplitude_upper=900) for n in names]
     actuators = pb.Actuators(stamp=flight.stamp(1), actuators=drives)
-    server.keep_saying([*flight.hello(), ("tlm/description", about), ("tlm/actuators", actuators)])
+    told = [("tlm/description", about), ("tlm/actuators", actuators)]
+    server.keep_saying([*flight.hello(), *in_flight(5.0), *told])
     expect(console.get_by_label("Actuators", exact=True).get_by_role("listitem")).to_have_count(8)
     expect(console.get_by_test_id("demanded-Y")).to_be_visible()
 
@@ -181,11 +182,22 @@ def test_plot_groups_and_window(console: Page, server: ContractServer) -> None:
     expect(console.locator("figure.plot canvas")).to_have_count(7)
 
 
-def test_the_camera_asks_the_server(console: Page, server: ContractServer) -> None:
-    """Protects the camera presets."""
-    console.get_by_role("group", name="Camera").get_by_role("button", name="Top").click()
-    assert server.wait_for_call("POST", "scene/camera").json() == {"view": "top"}
-    expect(console.get_by_role("button", name="Top")).to_have_attribute("aria-pressed", "true")
+def test_the_camera_asks_the_server_for_its_own_tab(
+    console: Page, server: ContractServer, browser: Browser
+) -> None:
+    """Protects the camera presets; two tabs turned each other's camera."""
+    other = console.context.new_page()
+    other.goto(server.url)
+    tabs = set()
+    for count, page in enumerate((console, other), start=1):
+        page.get_by_role("group", name="Camera").get_by_role("button", name="Top").click()
+        asked = server.wait_for_call("POST", "scene/camera", count).json()
+        assert asked["view"] == "top"
+        assert f"scene/{asked['tab']}/" in page.locator("iframe").get_attribute("src")
+        tabs.add(asked["tab"])
+        expect(page.get_by_role("button", name="Top")).to_have_attribute("aria-pressed", "true")
+    assert len(tabs) == 2 and "" not in tabs
+    other.close()
 
 
 @pytest.mark.parametrize("size", SIZES)

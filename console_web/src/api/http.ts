@@ -52,6 +52,17 @@ function refusal(status: number, statusText: string, raw: string): Refusal {
   return { ok: false, status, reason, problems };
 }
 
+const UNREADABLE = Symbol("not JSON");
+
+/** An answer that is no JSON comes from a server that is there: it is not out of reach. */
+function parsed<T>(raw: string): T | typeof UNREADABLE {
+  try {
+    return JSON.parse(raw) as T;
+  } catch {
+    return UNREADABLE;
+  }
+}
+
 export async function request<T>(
   method: string,
   path: string,
@@ -71,7 +82,8 @@ export async function request<T>(
     const response = await fetch(path, init);
     const raw = await response.text();
     if (!response.ok) return refusal(response.status, response.statusText, raw);
-    const value = raw ? (JSON.parse(raw) as T) : (undefined as T);
+    const value = raw ? parsed<T>(raw) : (undefined as T);
+    if (value === UNREADABLE) return refusal(response.status, "the server's answer cannot be read", "");
     const reply = value as { accepted?: boolean } | undefined;
     if (reply && typeof reply === "object" && reply.accepted === false) return refusal(200, "refused", raw);
     return { ok: true, value };

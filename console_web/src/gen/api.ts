@@ -4,6 +4,66 @@
  */
 
 export interface paths {
+    "/api/alarms": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Alarms
+         * @description All alarms.
+         */
+        get: operations["alarms_api_alarms_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/alarms/{alarm}/acknowledge": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Acknowledge
+         * @description Somebody has seen it. One whose cause has gone is over with that.
+         */
+        post: operations["acknowledge_api_alarms__alarm__acknowledge_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/alarms/{alarm}/shelve": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Shelve
+         * @description Keep it out of the way for a time; it comes back by itself.
+         */
+        post: operations["shelve_api_alarms__alarm__shelve_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/audit": {
         parameters: {
             query?: never;
@@ -44,6 +104,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/compare": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Compared
+         * @description Two to six runs; the first is what the others are compared with.
+         */
+        get: operations["compared_api_compare_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/diagnostics": {
         parameters: {
             query?: never;
@@ -56,6 +136,26 @@ export interface paths {
          * @description Counters by kind, age of each topic, files left out, clock and bus.
          */
         get: operations["diagnostics_api_diagnostics_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/drafts": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Drafts
+         * @description All work in progress.
+         */
+        get: operations["drafts_api_drafts_get"];
         put?: never;
         post?: never;
         delete?: never;
@@ -116,6 +216,66 @@ export interface paths {
          * @description The server answers; says nothing of the vehicle.
          */
         get: operations["health_api_health_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/mission-bin": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Binned
+         * @description What was deleted, newest first.
+         */
+        get: operations["binned_api_mission_bin_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/mission-bin/{binned}/restore": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Restore
+         * @description Undo a deletion; where the name was given anew, the mission comes back under another.
+         */
+        post: operations["restore_api_mission_bin__binned__restore_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/mission-templates": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Mission Templates
+         * @description Whole missions to begin from, for a vehicle: by default the console's.
+         */
+        get: operations["mission_templates_api_mission_templates_get"];
         put?: never;
         post?: never;
         delete?: never;
@@ -188,6 +348,69 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/missions/check": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Check
+         * @description Check a mission's bytes without keeping them, as `bumpless validate --json` does.
+         */
+        post: operations["check_api_missions_check_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/missions/export": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Give Out
+         * @description The mission in the body, saved or not, as another program's file.
+         */
+        post: operations["give_out_api_missions_export_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/missions/import": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Take In
+         * @description Make a mission of a foreign file's bytes, with a word on each thing that did not carry over.
+         *
+         *     part: which of several ways, where the file holds several with names. Nothing is saved.
+         *     QGroundControl's .plan, WPL, GeoJSON, KML (KMZ), CSV, MOOS-IvP's .bhv, Neptus' .nmis (.nmisz).
+         */
+        post: operations["take_in_api_missions_import_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/missions/{name}": {
         parameters: {
             query?: never;
@@ -200,13 +423,208 @@ export interface paths {
          * @description One mission with its text.
          */
         get: operations["mission_api_missions__name__get"];
-        put?: never;
+        /**
+         * Save
+         * @description Check and keep a mission's bytes as they are, new or in place of its own; the version before stays in
+         *     its history.
+         *
+         *     base: hash of the file that was edited; when it is another by now, nothing is saved (409).
+         */
+        put: operations["save_api_missions__name__put"];
         post?: never;
         /**
          * Remove
-         * @description Delete an uploaded mission.
+         * @description Put an uploaded mission into the bin; its id takes it out again.
          */
         delete: operations["remove_api_missions__name__delete"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/missions/{name}/draft": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Draft
+         * @description Work in progress on a mission.
+         */
+        get: operations["draft_api_missions__name__draft_get"];
+        /**
+         * Keep Draft
+         * @description Keep work in progress, whatever it holds; saving the mission drops it.
+         */
+        put: operations["keep_draft_api_missions__name__draft_put"];
+        post?: never;
+        /**
+         * Drop Draft
+         * @description Forget work in progress.
+         */
+        delete: operations["drop_draft_api_missions__name__draft_delete"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/missions/{name}/duplicate": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Duplicate
+         * @description A copy of a mission under another file name.
+         */
+        post: operations["duplicate_api_missions__name__duplicate_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/missions/{name}/export": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Export
+         * @description A stored mission as another program's file.
+         */
+        get: operations["export_api_missions__name__export_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/missions/{name}/file": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * File
+         * @description The mission's file, byte for byte.
+         */
+        get: operations["file_api_missions__name__file_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/missions/{name}/findings": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Findings
+         * @description Check a stored mission.
+         */
+        get: operations["findings_api_missions__name__findings_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/missions/{name}/history": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * History
+         * @description Every saved version, newest first.
+         */
+        get: operations["history_api_missions__name__history_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/missions/{name}/history/{version}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Version
+         * @description One saved version with its text.
+         */
+        get: operations["version_api_missions__name__history__version__get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/missions/{name}/marks": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Mark
+         * @description Tag a mission, or put it away (archived) and take it out again; its bytes stay as they are.
+         */
+        put: operations["mark_api_missions__name__marks_put"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/missions/{name}/rename": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Rename
+         * @description Give an uploaded mission another file name; history, draft and tags go with it.
+         */
+        post: operations["rename_api_missions__name__rename_post"];
+        delete?: never;
         options?: never;
         head?: never;
         patch?: never;
@@ -229,6 +647,46 @@ export interface paths {
          * @description Ask the vehicle to fly with these, all of them; `If-Match` refuses a change of an old revision.
          */
         put: operations["change_api_parameters_put"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/planning": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Vehicles
+         * @description Ids of the vehicles whose files are here.
+         */
+        get: operations["vehicles_api_planning_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/planning/{vehicle}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Planning
+         * @description One vehicle as a plan shows it: the one on the bus when it has this id, else the one of our files.
+         */
+        get: operations["planning_api_planning__vehicle__get"];
+        put?: never;
         post?: never;
         delete?: never;
         options?: never;
@@ -328,6 +786,48 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/runs/{run}/at": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * At
+         * @description What was known at mission time `t`, s: one StreamFrame with the last message of each topic.
+         */
+        get: operations["at_api_runs__run__at_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/runs/{run}/frames": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Frames
+         * @description The cycles of a range as StreamFrames, each behind its length (32 bit, little endian).
+         *
+         *     Where there are more than `most`, cycles are left out evenly.
+         */
+        get: operations["frames_api_runs__run__frames_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/runs/{run}/log.mcap": {
         parameters: {
             query?: never;
@@ -360,6 +860,26 @@ export interface paths {
          * @description The run's bumpless.Metrics.
          */
         get: operations["metrics_api_runs__run__metrics_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/runs/{run}/replay": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Replay
+         * @description How long the run is and what happened in it.
+         */
+        get: operations["replay_api_runs__run__replay_get"];
         put?: never;
         post?: never;
         delete?: never;
@@ -469,6 +989,95 @@ export interface components {
             unit: string;
         };
         /**
+         * Alarm
+         * @description One alarm, from its cause to the person who saw it.
+         */
+        Alarm: {
+            /**
+             * Acknowledged By
+             * @default
+             */
+            acknowledged_by: string;
+            /**
+             * Acknowledged Ns
+             * @default 0
+             */
+            acknowledged_ns: string;
+            /**
+             * Code
+             * @default
+             */
+            code: string;
+            /**
+             * Count
+             * @default 0
+             */
+            count: number;
+            /** Details */
+            details: {
+                [key: string]: string;
+            };
+            /**
+             * Id
+             * @default
+             */
+            id: string;
+            /**
+             * Raised Ns
+             * @default 0
+             */
+            raised_ns: string;
+            /**
+             * Returned Ns
+             * @default 0
+             */
+            returned_ns: string;
+            /**
+             * Severity
+             * @default SEVERITY_UNSPECIFIED
+             * @enum {string}
+             */
+            severity: "SEVERITY_UNSPECIFIED" | "SEVERITY_INFO" | "SEVERITY_WARNING" | "SEVERITY_ALARM";
+            /**
+             * Shelved Until Ns
+             * @default 0
+             */
+            shelved_until_ns: string;
+            /**
+             * Text
+             * @default
+             */
+            text: string;
+        };
+        /**
+         * AlarmsAnswer
+         * @description Those not over, worst first, and those that are, newest first.
+         */
+        AlarmsAnswer: {
+            /** History */
+            history: components["schemas"]["Alarm"][];
+            /** Open */
+            open: components["schemas"]["Alarm"][];
+        };
+        /**
+         * Approach
+         * @description How the vehicle docks by itself, by its own parameters. Distances are from the observation point.
+         */
+        Approach: {
+            /** Break Off M */
+            break_off_m: number;
+            /** Cone Base M */
+            cone_base_m: number;
+            /** Cone Slope */
+            cone_slope: number;
+            /** Enabled */
+            enabled: boolean;
+            /** Entry Distance M */
+            entry_distance_m: number;
+            /** Keep Out M */
+            keep_out_m: number;
+        };
+        /**
          * AuditEntry
          * @description One command: who asked for what, and what came of it.
          */
@@ -501,6 +1110,44 @@ export interface components {
             verb: string;
         };
         /**
+         * BinnedAnswer
+         * @description A deleted mission, to be restored by its id.
+         */
+        BinnedAnswer: {
+            /**
+             * Deleted
+             * Format: date-time
+             */
+            deleted: string;
+            /** Id */
+            id: string;
+            /** Name */
+            name: string;
+            /** Size */
+            size: number;
+        };
+        /** Body_acknowledge_api_alarms__alarm__acknowledge_post */
+        Body_acknowledge_api_alarms__alarm__acknowledge_post: {
+            /**
+             * By
+             * @default operator
+             */
+            by?: string;
+        };
+        /** Body_shelve_api_alarms__alarm__shelve_post */
+        Body_shelve_api_alarms__alarm__shelve_post: {
+            /**
+             * By
+             * @default operator
+             */
+            by?: string;
+            /**
+             * Seconds
+             * @default 600
+             */
+            seconds?: number;
+        };
+        /**
          * BumplessParameters
          * @description bumpless.BumplessParameters as JSON.
          */
@@ -523,7 +1170,7 @@ export interface components {
         };
         /**
          * CameraAnswer
-         * @description How many of the caller's browsers moved.
+         * @description How many of the caller's tabs moved.
          */
         CameraAnswer: {
             /**
@@ -540,10 +1187,67 @@ export interface components {
          */
         CameraRequest: {
             /**
+             * Tab
+             * @default
+             */
+            tab?: string;
+            /**
              * View
              * @enum {string}
              */
             view: "follow" | "overview" | "top" | "target";
+        };
+        /**
+         * CaptureMetrics
+         * @description bumpless.CaptureMetrics as JSON.
+         */
+        CaptureMetrics: {
+            /**
+             * Captured
+             * @default false
+             */
+            captured: boolean;
+            /**
+             * Entry Offset M
+             * @default 0
+             */
+            entry_offset_m: number | null;
+            /**
+             * Force Max N
+             * @default 0
+             */
+            force_max_n: number | null;
+            /**
+             * Force Most N
+             * @default 0
+             */
+            force_most_n: number | null;
+            /**
+             * Seat Time S
+             * @default 0
+             */
+            seat_time_s: number | null;
+            /**
+             * Time S
+             * @default 0
+             */
+            time_s: number | null;
+        };
+        /**
+         * CheckAnswer
+         * @description Problems keep a file from being read; findings tell what of the plan can't work, or may not.
+         */
+        CheckAnswer: {
+            /** File */
+            file: string;
+            /** Findings */
+            findings: components["schemas"]["ForesightFinding"][];
+            /** Ok */
+            ok: boolean;
+            /** Problems */
+            problems: components["schemas"]["Problem"][];
+            /** Sha256 */
+            sha256: string;
         };
         /**
          * CommandReply
@@ -571,6 +1275,71 @@ export interface components {
              * @default
              */
             run_id: string;
+        };
+        /**
+         * ComparedFigure
+         * @description One figure of every run; `changes` against the first.
+         */
+        ComparedFigure: {
+            /** About */
+            about: string;
+            /** Changes */
+            changes: ("better" | "worse" | "same" | "")[];
+            /** Decimals */
+            decimals: number;
+            /** Key */
+            key: string;
+            /** Label */
+            label: string;
+            /** Unit */
+            unit: string;
+            /** Values */
+            values: (number | null)[];
+        };
+        /**
+         * ComparedRun
+         * @description One of the runs; `moments` are mission times, s, that runs can be laid over each other at.
+         */
+        ComparedRun: {
+            /** Id */
+            id: string;
+            /** Mission */
+            mission: string;
+            /** Moments */
+            moments: {
+                [key: string]: number;
+            };
+            /** Outcome */
+            outcome: string;
+            /** Reason */
+            reason: string;
+        };
+        /**
+         * ComparedSetting
+         * @description What is not the same in all runs.
+         */
+        ComparedSetting: {
+            /**
+             * Kind
+             * @enum {string}
+             */
+            kind: "mission" | "parameters" | "software";
+            /** Name */
+            name: string;
+            /** Values */
+            values: string[];
+        };
+        /**
+         * ComparisonAnswer
+         * @description Figures and differences of two to six runs.
+         */
+        ComparisonAnswer: {
+            /** Figures */
+            figures: components["schemas"]["ComparedFigure"][];
+            /** Runs */
+            runs: components["schemas"]["ComparedRun"][];
+            /** Settings */
+            settings: components["schemas"]["ComparedSetting"][];
         };
         /**
          * Counted
@@ -607,6 +1376,25 @@ export interface components {
             topics: components["schemas"]["TopicAge"][];
             /** Vehicle Session */
             vehicle_session: string;
+        };
+        /**
+         * DraftAnswer
+         * @description Work in progress; its name may have no mission yet.
+         */
+        DraftAnswer: {
+            /** Name */
+            name: string;
+            /**
+             * Saved
+             * Format: date-time
+             */
+            saved: string;
+            /** Sha256 */
+            sha256: string;
+            /** Size */
+            size: number;
+            /** Yaml */
+            yaml: string;
         };
         /**
          * EndErrors
@@ -675,6 +1463,32 @@ export interface components {
             text: string;
         };
         /**
+         * ExchangeItem
+         * @description One thing and what became of it.
+         */
+        ExchangeItem: {
+            /** Carried */
+            carried: boolean;
+            /** Note */
+            note: string;
+            /** What */
+            what: string;
+        };
+        /**
+         * ExportAnswer
+         * @description A mission as another program's file.
+         */
+        ExportAnswer: {
+            /** File Name */
+            file_name: string;
+            /** Items */
+            items: components["schemas"]["ExchangeItem"][];
+            /** Media Type */
+            media_type: string;
+            /** Text */
+            text: string;
+        };
+        /**
          * FieldEntry
          * @description One field of a file format: where it stands, what it means and what it may hold.
          *
@@ -702,6 +1516,320 @@ export interface components {
         } & {
             [key: string]: unknown;
         };
+        /**
+         * ForesightChance
+         * @description Share of the flights so far that docked, with its Wilson interval of 95 %.
+         */
+        ForesightChance: {
+            /** Counts */
+            counts: {
+                [key: string]: number;
+            };
+            /** Docked */
+            docked: number;
+            /** High */
+            high: number;
+            /** Low */
+            low: number;
+            /** Of */
+            of: number;
+        };
+        /**
+         * ForesightDone
+         * @description Nothing more comes for this request.
+         */
+        ForesightDone: {
+            /** Id */
+            id: number;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "done";
+        };
+        /**
+         * ForesightErrors
+         * @description Against the observation point and the approach heading.
+         */
+        ForesightErrors: {
+            /** Depth M */
+            depth_m: number;
+            /** Heading Deg */
+            heading_deg: number;
+            /** Horizontal M */
+            horizontal_m: number;
+            /** Position M */
+            position_m: number;
+            /** Speed Mps */
+            speed_mps: number;
+        };
+        /**
+         * ForesightFailed
+         * @description The request could not be carried out; the last message of its request.
+         */
+        ForesightFailed: {
+            /** Id */
+            id: number;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "failed";
+            /** Reason */
+            reason: string;
+        };
+        /**
+         * ForesightFan
+         * @description Flights that were not told before, and the chance by all so far.
+         */
+        ForesightFan: {
+            chance: components["schemas"]["ForesightChance"];
+            /** Done */
+            done: number;
+            /** Flights */
+            flights: components["schemas"]["ForesightFlight"][];
+            /** Id */
+            id: number;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "fan";
+            /** Of */
+            of: number;
+        };
+        /**
+         * ForesightFinding
+         * @description What of the plan can't work (hard) or is unlikely to (soft), and what would mend it.
+         */
+        ForesightFinding: {
+            /** Change */
+            change: string;
+            /** Code */
+            code: string;
+            /** Column */
+            column: number;
+            /** Line */
+            line: number;
+            /** Mends */
+            mends: components["schemas"]["ForesightMend"][];
+            /** Path */
+            path: string;
+            /** Reason */
+            reason: string;
+            /**
+             * Severity
+             * @enum {string}
+             */
+            severity: "hard" | "soft";
+        };
+        /**
+         * ForesightFindings
+         * @description What stands against the plan, hard ones first.
+         */
+        ForesightFindings: {
+            /** Findings */
+            findings: components["schemas"]["ForesightFinding"][];
+            /** Id */
+            id: number;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "findings";
+        };
+        /**
+         * ForesightFlight
+         * @description One drawn flight: how it ended and at most 60 points of its way.
+         */
+        ForesightFlight: {
+            /** Closest M */
+            closest_m: number;
+            /** Depth M */
+            depth_m: number[];
+            /** East M */
+            east_m: number[];
+            /** End S */
+            end_s: number;
+            /** North M */
+            north_m: number[];
+            /** Number */
+            number: number;
+            /** Outcome */
+            outcome: string;
+            /** Seed */
+            seed: number;
+        };
+        /**
+         * ForesightMend
+         * @description A change of the document that mends a finding.
+         */
+        ForesightMend: {
+            /** Label */
+            label: string;
+            /** Path */
+            path: string;
+            /** Value */
+            value: number | string | boolean | number[] | null;
+        };
+        ForesightMessage: components["schemas"]["ForesightProblems"] | components["schemas"]["ForesightFindings"] | components["schemas"]["ForesightNominal"] | components["schemas"]["ForesightFan"] | components["schemas"]["ForesightDone"] | components["schemas"]["ForesightFailed"];
+        /**
+         * ForesightNominal
+         * @description The flight of the plan as it stands: equal, to the bit, to `bumpless run` of the same text and seed.
+         */
+        ForesightNominal: {
+            /** Arrival S */
+            arrival_s: number | null;
+            /** Digest */
+            digest: string;
+            /** Elapsed Ms */
+            elapsed_ms: number;
+            /** Energy J */
+            energy_j: number;
+            /** Id */
+            id: number;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "nominal";
+            /** Length M */
+            length_m: number;
+            outcome: components["schemas"]["ForesightOutcome"];
+            /** Seed */
+            seed: number;
+            /** Sha256 */
+            sha256: string;
+            /** Switches */
+            switches: components["schemas"]["ForesightSwitch"][];
+            track: components["schemas"]["ForesightTrack"];
+        };
+        /**
+         * ForesightOutcome
+         * @description How the flight ended: the fields of `bumpless.Outcome`.
+         */
+        ForesightOutcome: {
+            /** Basis */
+            basis: string;
+            believed_errors: components["schemas"]["ForesightErrors"] | null;
+            /** Closest M */
+            closest_m: number | null;
+            /** Closest S */
+            closest_s: number | null;
+            /** Ending */
+            ending: string;
+            /** Held S */
+            held_s: number;
+            /** Mode */
+            mode: string;
+            /** Reason */
+            reason: string;
+            /** Tries */
+            tries: number;
+            true_errors: components["schemas"]["ForesightErrors"] | null;
+        };
+        /**
+         * ForesightProblem
+         * @description A rule of the format that the text breaks, with its place.
+         */
+        ForesightProblem: {
+            /** Column */
+            column: number;
+            /** Field */
+            field: string;
+            /** Line */
+            line: number;
+            /** Message */
+            message: string;
+            /** Rule */
+            rule: string;
+            /** Value */
+            value: string;
+        };
+        /**
+         * ForesightProblems
+         * @description The text can't be read; the last message of its request.
+         */
+        ForesightProblems: {
+            /** Id */
+            id: number;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "problems";
+            /** Problems */
+            problems: components["schemas"]["ForesightProblem"][];
+        };
+        /**
+         * ForesightRequest
+         * @description One request of a client of /ws/foresight. A newer one takes the place of an older one at once.
+         */
+        ForesightRequest: {
+            /**
+             * Flights
+             * @description drawn flights after the nominal one
+             * @default 0
+             */
+            flights?: number;
+            /**
+             * Id
+             * @description comes back with every answer
+             */
+            id: number;
+            overrides?: components["schemas"]["Overrides"];
+            /**
+             * Seed
+             * @description null: the mission's own
+             * @default null
+             */
+            seed?: number | null;
+            /**
+             * Text
+             * @description the mission's YAML, BOM and line ends and all
+             */
+            text: string;
+        };
+        /**
+         * ForesightSwitch
+         * @description A change of mode.
+         */
+        ForesightSwitch: {
+            /** From */
+            from: string;
+            /** T S */
+            t_s: number;
+            /** To */
+            to: string;
+        };
+        /**
+         * ForesightTrack
+         * @description The flight's truth, at most 600 cycles of it.
+         */
+        ForesightTrack: {
+            /** Depth Error M */
+            depth_error_m: number[];
+            /** Depth M */
+            depth_m: number[];
+            /** East M */
+            east_m: number[];
+            /** Heading Deg */
+            heading_deg: number[];
+            /** Margin */
+            margin: number[];
+            /** Mode */
+            mode: string[];
+            /** North M */
+            north_m: number[];
+            /** Saturation */
+            saturation: number[];
+            /** Speed M S */
+            speed_m_s: number[];
+            /** T S */
+            t_s: number[];
+            /** Worst Actuator */
+            worst_actuator: string[];
+        };
         /** HTTPValidationError */
         HTTPValidationError: {
             /** Detail */
@@ -721,6 +1849,24 @@ export interface components {
             version: string;
         };
         /**
+         * ImportAnswer
+         * @description A mission made of a foreign file; nothing is saved yet.
+         */
+        ImportAnswer: {
+            /** Items */
+            items: components["schemas"]["ExchangeItem"][];
+            /** Kind */
+            kind: string;
+            /** Name */
+            name: string;
+            /** Parts */
+            parts: string[];
+            /** Problems */
+            problems: components["schemas"]["Problem"][];
+            /** Yaml */
+            yaml: string;
+        };
+        /**
          * LeftOut
          * @description A file or folder in the data folder that stands in no list, and why.
          */
@@ -733,10 +1879,21 @@ export interface components {
             reason: string;
         };
         /**
+         * Marked
+         * @description What to note of a mission; null leaves as it is.
+         */
+        Marked: {
+            /** Archived */
+            archived?: boolean | null;
+            /** Tags */
+            tags?: string[] | null;
+        };
+        /**
          * Metrics
          * @description A run's figures of merit.
          */
         Metrics: {
+            capture: components["schemas"]["CaptureMetrics"] | null;
             /**
              * Cycles
              * @default 0
@@ -858,6 +2015,8 @@ export interface components {
          * @description A mission with its text, and what a sketch of its plan needs when the text is valid.
          */
         MissionDetail: {
+            /** Archived */
+            archived: boolean;
             /** Builtin */
             builtin: boolean;
             /** Current Ned Mps */
@@ -889,8 +2048,12 @@ export interface components {
             seed: number | null;
             /** Sha256 */
             sha256: string;
+            /** Size */
+            size: number;
             /** Summary */
             summary: string;
+            /** Tags */
+            tags: string[];
             target: components["schemas"]["Target"] | null;
             /** Title */
             title: string;
@@ -921,6 +2084,11 @@ export interface components {
              * @default
              */
             end_reason: string;
+            /**
+             * Held S
+             * @default 0
+             */
+            held_s: number | null;
             /**
              * Mission Name
              * @default
@@ -954,6 +2122,8 @@ export interface components {
          * @description A stored mission in the list. `valid` false: the file breaks a rule and cannot be flown.
          */
         MissionSummary: {
+            /** Archived */
+            archived: boolean;
             /** Builtin */
             builtin: boolean;
             /** Duration S */
@@ -973,8 +2143,12 @@ export interface components {
             seed: number | null;
             /** Sha256 */
             sha256: string;
+            /** Size */
+            size: number;
             /** Summary */
             summary: string;
+            /** Tags */
+            tags: string[];
             /** Title */
             title: string;
             /** Valid */
@@ -1152,6 +2326,35 @@ export interface components {
             true_errors: components["schemas"]["EndErrors"] | null;
         };
         /**
+         * Overrides
+         * @description What-if: numbers that differ from the document's.
+         */
+        Overrides: {
+            /**
+             * Current
+             * @description NED, m/s, the way it flows, in place of the mission's
+             * @default null
+             */
+            current?: [
+                number,
+                number,
+                number
+            ] | null;
+            /**
+             * Parameters
+             * @description by path: {"hover.lambda": 0.01}
+             */
+            parameters?: {
+                [key: string]: unknown;
+            };
+            /**
+             * Vehicle
+             * @description another vehicle's id
+             * @default null
+             */
+            vehicle?: string | null;
+        };
+        /**
          * Parameters
          * @description A whole set of tunable parameters.
          */
@@ -1175,6 +2378,32 @@ export interface components {
             revision: number;
             /** Sha256 */
             sha256: string;
+        };
+        /**
+         * Planning
+         * @description A vehicle as a plan shows it: size, sight, thresholds and approach, and what can fail.
+         */
+        Planning: {
+            /** Actuators */
+            actuators: string[];
+            approach: components["schemas"]["Approach"];
+            /** Diameter M */
+            diameter_m: number;
+            /** Id */
+            id: string;
+            /** Length M */
+            length_m: number;
+            /** Name */
+            name: string;
+            /** Sha256 */
+            sha256: string;
+            sight: components["schemas"]["Sight"];
+            /** Sways */
+            sways: boolean;
+            /** Thresholds M */
+            thresholds_m: {
+                [key: string]: number;
+            };
         };
         /**
          * Preset
@@ -1257,6 +2486,22 @@ export interface components {
             [key: string]: unknown;
         };
         /**
+         * ReplayAnswer
+         * @description How long it is, and what happened in it. Times are mission times, s.
+         */
+        ReplayAnswer: {
+            /** Cycles */
+            cycles: number;
+            /** Events */
+            events: components["schemas"]["RunEvent"][];
+            /** First S */
+            first_s: number | null;
+            /** Last S */
+            last_s: number | null;
+            /** Run */
+            run: string;
+        };
+        /**
          * RunAnswer
          * @description A run in the list; of one being recorded, how far it is.
          */
@@ -1297,6 +2542,33 @@ export interface components {
             vehicle: string;
         };
         /**
+         * RunEvent
+         * @description One event of a run.
+         */
+        RunEvent: {
+            /**
+             * Code
+             * @default
+             */
+            code: string;
+            /** Details */
+            details: {
+                [key: string]: string;
+            };
+            /**
+             * Severity
+             * @default SEVERITY_UNSPECIFIED
+             * @enum {string}
+             */
+            severity: "SEVERITY_UNSPECIFIED" | "SEVERITY_INFO" | "SEVERITY_WARNING" | "SEVERITY_ALARM";
+            stamp: components["schemas"]["Stamp"] | null;
+            /**
+             * Text
+             * @default
+             */
+            text: string;
+        };
+        /**
          * Schema
          * @description A JSON Schema (2020-12) with whatever it says beside these.
          */
@@ -1329,6 +2601,18 @@ export interface components {
             vehicle_name: string;
         };
         /**
+         * Sight
+         * @description The target camera's, as the vehicle file says; a mission may set others.
+         */
+        Sight: {
+            /** Half Angle Deg */
+            half_angle_deg: number;
+            /** Range Max M */
+            range_max_m: number;
+            /** Range Min M */
+            range_min_m: number;
+        };
+        /**
          * Stamp
          * @description bumpless.Stamp as JSON.
          */
@@ -1354,6 +2638,12 @@ export interface components {
          * @description Request to fly a mission.
          */
         Start: {
+            /**
+             * Despite Findings
+             * @description start though a finding says that it can't work: the operator has read it
+             * @default false
+             */
+            despite_findings?: boolean;
             /** Name */
             name: string;
             /**
@@ -1363,6 +2653,11 @@ export interface components {
             operator?: string;
             /** Seed */
             seed?: number | null;
+            /**
+             * Sha256
+             * @description Refuse when the file is another
+             */
+            sha256?: string | null;
         };
         /**
          * Status
@@ -1592,6 +2887,30 @@ export interface components {
             ];
         };
         /**
+         * TemplateAnswer
+         * @description Something to begin from.
+         */
+        TemplateAnswer: {
+            /** Name */
+            name: string;
+            /** Summary */
+            summary: string;
+            /** Title */
+            title: string;
+            /** Vehicle */
+            vehicle: string;
+            /** Yaml */
+            yaml: string;
+        };
+        /**
+         * To
+         * @description Another file name.
+         */
+        To: {
+            /** To */
+            to: string;
+        };
+        /**
          * TopicAge
          * @description How old the last message of a topic is. `late`: older than its rate allows, or never heard.
          */
@@ -1666,6 +2985,35 @@ export interface components {
             /** Sha256 */
             sha256: string;
         };
+        /**
+         * VersionAnswer
+         * @description A saved state of a mission.
+         */
+        VersionAnswer: {
+            /** Id */
+            id: string;
+            /**
+             * Saved
+             * Format: date-time
+             */
+            saved: string;
+            /** Sha256 */
+            sha256: string;
+            /** Size */
+            size: number;
+        };
+        /**
+         * VersionText
+         * @description A saved state of a mission, whole.
+         */
+        VersionText: {
+            /** Id */
+            id: string;
+            /** Sha256 */
+            sha256: string;
+            /** Yaml */
+            yaml: string;
+        };
     };
     responses: never;
     parameters: never;
@@ -1675,6 +3023,128 @@ export interface components {
 }
 export type $defs = Record<string, never>;
 export interface operations {
+    alarms_api_alarms_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["AlarmsAnswer"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    acknowledge_api_alarms__alarm__acknowledge_post: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                alarm: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: {
+            content: {
+                "application/json": components["schemas"]["Body_acknowledge_api_alarms__alarm__acknowledge_post"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    shelve_api_alarms__alarm__shelve_post: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                alarm: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: {
+            content: {
+                "application/json": components["schemas"]["Body_shelve_api_alarms__alarm__shelve_post"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
     audit_api_audit_get: {
         parameters: {
             query?: {
@@ -1753,6 +3223,46 @@ export interface operations {
             };
         };
     };
+    compared_api_compare_get: {
+        parameters: {
+            query: {
+                run: string[];
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ComparisonAnswer"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
     diagnostics_api_diagnostics_get: {
         parameters: {
             query?: never;
@@ -1769,6 +3279,44 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["Diagnostics"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    drafts_api_drafts_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["DraftAnswer"][];
                 };
             };
             /** @description Refused, with the reason */
@@ -1887,6 +3435,124 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["Health"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    binned_api_mission_bin_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["BinnedAnswer"][];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    restore_api_mission_bin__binned__restore_post: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                binned: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MissionDetail"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    mission_templates_api_mission_templates_get: {
+        parameters: {
+            query?: {
+                vehicle?: string | null;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["TemplateAnswer"][];
                 };
             };
             /** @description Refused, with the reason */
@@ -2070,6 +3736,140 @@ export interface operations {
             };
         };
     };
+    check_api_missions_check_post: {
+        parameters: {
+            query?: {
+                file_name?: string;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/yaml": string;
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["CheckAnswer"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    give_out_api_missions_export_post: {
+        parameters: {
+            query: {
+                to: "plan" | "wpl" | "geojson" | "kml" | "csv";
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/yaml": string;
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ExportAnswer"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    take_in_api_missions_import_post: {
+        parameters: {
+            query: {
+                file_name: string;
+                vehicle?: string | null;
+                part?: string | null;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/octet-stream": string;
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ImportAnswer"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
     mission_api_missions__name__get: {
         parameters: {
             query?: never;
@@ -2080,6 +3880,52 @@ export interface operations {
             cookie?: never;
         };
         requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MissionDetail"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    save_api_missions__name__put: {
+        parameters: {
+            query?: {
+                base?: string | null;
+            };
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/yaml": string;
+            };
+        };
         responses: {
             /** @description Successful Response */
             200: {
@@ -2122,11 +3968,468 @@ export interface operations {
         requestBody?: never;
         responses: {
             /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["BinnedAnswer"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    draft_api_missions__name__draft_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["DraftAnswer"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    keep_draft_api_missions__name__draft_put: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/yaml": string;
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["DraftAnswer"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    drop_draft_api_missions__name__draft_delete: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
             204: {
                 headers: {
                     [name: string]: unknown;
                 };
                 content?: never;
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    duplicate_api_missions__name__duplicate_post: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["To"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MissionDetail"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    export_api_missions__name__export_get: {
+        parameters: {
+            query: {
+                to: "plan" | "wpl" | "geojson" | "kml" | "csv";
+            };
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ExportAnswer"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    file_api_missions__name__file_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    findings_api_missions__name__findings_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["CheckAnswer"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    history_api_missions__name__history_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["VersionAnswer"][];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    version_api_missions__name__history__version__get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+                version: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["VersionText"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    mark_api_missions__name__marks_put: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["Marked"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MissionDetail"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    rename_api_missions__name__rename_post: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["To"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MissionDetail"];
+                };
             };
             /** @description Refused, with the reason */
             "4XX": {
@@ -2202,6 +4505,84 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["CommandReply"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    vehicles_api_planning_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": string[];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    planning_api_planning__vehicle__get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                vehicle: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Planning"];
                 };
             };
             /** @description Refused, with the reason */
@@ -2496,6 +4877,92 @@ export interface operations {
             };
         };
     };
+    at_api_runs__run__at_get: {
+        parameters: {
+            query: {
+                t: number;
+            };
+            header?: never;
+            path: {
+                run: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/octet-stream": unknown;
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    frames_api_runs__run__frames_get: {
+        parameters: {
+            query: {
+                from_s: number;
+                to_s: number;
+                most?: number;
+            };
+            header?: never;
+            path: {
+                run: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/octet-stream": unknown;
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
     download_api_runs__run__log_mcap_get: {
         parameters: {
             query?: never;
@@ -2554,6 +5021,46 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["Metrics"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    replay_api_runs__run__replay_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                run: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ReplayAnswer"];
                 };
             };
             /** @description Refused, with the reason */

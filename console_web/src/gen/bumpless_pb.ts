@@ -17,7 +17,7 @@ import type { Message } from "@bufbuild/protobuf";
  * Describes the file bumpless.proto.
  */
 export const file_bumpless: GenFile = /*@__PURE__*/
-  fileDesc("Cg5idW1wbGVzcy5wcm90bxIIYnVtcGxlc3MiKgoHVmVjdG9yMxIJCgF4GAEgASgBEgkKAXkYAiABKAESCQoBehgDIAEoASJACghBdHRpdHVkZRIQCghyb2xsX2RlZxgBIAEoARIRCglwaXRjaF9kZWcYAiABKAESDwoHeWF3X2RlZxgDIAEoASJZCgZXcmVuY2gSCwoDeF9uGAEgASgBEgsKA3lfbhgCIAEoARILCgN6X24YAyABKAESDAoEa19ubRgEIAEoARIMCgRtX25tGAUgASgBEgwKBG5fbm0YBiABKAEiPwoFU3RhbXASDwoHdGltZV9ucxgBIAEoBBIWCg5taXNzaW9uX3RpbWVfcxgCIAEoARINCgVjeWNsZRgDIAEoBCKAAwoKTmF2aWdhdGlvbhIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEikKDnBvc2l0aW9uX25lZF9tGAIgASgLMhEuYnVtcGxlc3MuVmVjdG9yMxIkCghhdHRpdHVkZRgDIAEoCzISLmJ1bXBsZXNzLkF0dGl0dWRlEiwKEXZlbG9jaXR5X2JvZHlfbXBzGAQgASgLMhEuYnVtcGxlc3MuVmVjdG9yMxI6Ch92ZWxvY2l0eV90aHJvdWdoX3dhdGVyX2JvZHlfbXBzGAUgASgLMhEuYnVtcGxlc3MuVmVjdG9yMxIyChdhbmd1bGFyX3JhdGVfYm9keV9kZWdwcxgGIAEoCzIRLmJ1bXBsZXNzLlZlY3RvcjMSDwoHZGVwdGhfbRgHIAEoARIdChVzcGVlZF9vdmVyX2dyb3VuZF9tcHMYCCABKAESMwoYY3VycmVudF9lc3RpbWF0ZV9uZWRfbXBzGAkgASgLMhEuYnVtcGxlc3MuVmVjdG9yMyKUAgoIR3VpZGFuY2USHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIhChlzdXJnZV9zcGVlZF9yZWZlcmVuY2VfbXBzGAIgASgBEhkKEWRlcHRoX3JlZmVyZW5jZV9tGAMgASgBEi4KEmF0dGl0dWRlX3JlZmVyZW5jZRgEIAEoCzISLmJ1bXBsZXNzLkF0dGl0dWRlEhsKE2Nyb3NzX3RyYWNrX2Vycm9yX20YBSABKAESGwoTYWxvbmdfdHJhY2tfZXJyb3JfbRgGIAEoARILCgNsZWcYByABKA0SEQoJbGVnX2NvdW50GAggASgNEiAKGHN3YXlfc3BlZWRfcmVmZXJlbmNlX21wcxgJIAEoASLcBAoKU3VwZXJ2aXNvchIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEhwKBG1vZGUYAiABKA4yDi5idW1wbGVzcy5Nb2RlEiUKDXByZXZpb3VzX21vZGUYAyABKA4yDi5idW1wbGVzcy5Nb2RlEg8KB3JhbmdlX20YBCABKAESFQoNZGV0ZWN0aW9uX3JhdxgFIAEoCBIRCglkZXRlY3Rpb24YBiABKAgSDQoFa2FwcGEYByABKAESFgoOdGltZV9pbl9tb2RlX3MYCCABKAESGQoRZHdlbGxfcmVtYWluaW5nX3MYCSABKAESGAoQcmFuZ2VfcmhfbG93ZXJfbRgKIAEoARIYChByYW5nZV9yaF91cHBlcl9tGAsgASgBEhgKEHJhbmdlX2ZyX2xvd2VyX20YDCABKAESGAoQcmFuZ2VfZnJfdXBwZXJfbRgNIAEoARIYChByYW5nZV9oZl91cHBlcl9tGA4gASgBEiUKBXBoYXNlGA8gASgOMhYuYnVtcGxlc3MuTWlzc2lvblBoYXNlEi0KDWRvY2tpbmdfc3RhZ2UYECABKA4yFi5idW1wbGVzcy5Eb2NraW5nU3RhZ2USFQoNZG9ja2luZ190cmllcxgRIAEoDRIaChJkb2NraW5nX3RyaWVzX21vc3QYEiABKA0SMAoPd2F2ZV9vZmZfcmVhc29uGBMgASgOMhcuYnVtcGxlc3MuV2F2ZU9mZlJlYXNvbhIcChRhcHByb2FjaF9oZWFkaW5nX2RlZxgUIAEoARIRCglmaXhfYWdlX3MYFSABKAEi3wEKB0NvbnRyb2wSHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIiCghkZW1hbmRlZBgCIAEoCzIQLmJ1bXBsZXNzLldyZW5jaBImCgxkZW1hbmRlZF9yYXcYAyABKAsyEC5idW1wbGVzcy5XcmVuY2gSIgoIYWNoaWV2ZWQYBCABKAsyEC5idW1wbGVzcy5XcmVuY2gSIgoIcmVzaWR1YWwYBSABKAsyEC5idW1wbGVzcy5XcmVuY2gSIAoGZnJvemVuGAYgASgLMhAuYnVtcGxlc3MuV3JlbmNoIvoBCgpBbGxvY2F0aW9uEh4KBXN0YW1wGAEgASgLMg8uYnVtcGxlc3MuU3RhbXASJQoGc3RhdHVzGAIgASgOMhUuYnVtcGxlc3MuU29sdmVTdGF0dXMSFgoOc3FwX2l0ZXJhdGlvbnMYAyABKA0SFAoMa2t0X3Jlc2lkdWFsGAQgASgBEhUKDXJlc2lkdWFsX25vcm0YBSABKAESDAoEY29zdBgGIAEoARIVCg1zb2x2ZV90aW1lX3VzGAcgASgBEhcKD3NhdHVyYXRlZF9jb3VudBgIIAEoDRIOCgZzb2x2ZXIYCSABKAkSEgoKc2xhY2tfbm9ybRgKIAEoASKxAgoIQWN0dWF0b3ISDAoEbmFtZRgBIAEoCRIMCgR1bml0GAIgASgJEg8KB2NvbW1hbmQYAyABKAESEAoIZmVlZGJhY2sYBCABKAESDQoFbG93ZXIYBSABKAESDQoFdXBwZXIYBiABKAESFwoPYW1wbGl0dWRlX2xvd2VyGAcgASgBEhcKD2FtcGxpdHVkZV91cHBlchgIIAEoARIRCglzYXR1cmF0ZWQYCSABKAgSFAoMcmF0ZV9saW1pdGVkGAogASgIEhcKD2luY3JlbWVudF9ib3VuZBgLIAEoARIaCg1lZmZlY3RpdmVuZXNzGAwgASgBSACIAQESFgoOZmF1bHRfZXZpZGVuY2UYDSABKAESDgoGZmF1bHR5GA4gASgIQhAKDl9lZmZlY3RpdmVuZXNzIlIKCUFjdHVhdG9ycxIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEiUKCWFjdHVhdG9ycxgCIAMoCzISLmJ1bXBsZXNzLkFjdHVhdG9yIvQBCgZUYXJnZXQSHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIQCghkZXRlY3RlZBgCIAEoCBIYChBtZWFzdXJlZF9yYW5nZV9tGAMgASgBEhMKC2JlYXJpbmdfZGVnGAQgASgBEhUKDWVsZXZhdGlvbl9kZWcYBSABKAESKQoOcG9zaXRpb25fbmVkX20YBiABKAsyES5idW1wbGVzcy5WZWN0b3IzEhMKC2hlYWRpbmdfZGVnGAcgASgBEjIKF29ic2VydmF0aW9uX3BvaW50X25lZF9tGAggASgLMhEuYnVtcGxlc3MuVmVjdG9yMyLdAQoNTWlzc2lvblN0YXR1cxIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEiUKBXBoYXNlGAIgASgOMhYuYnVtcGxlc3MuTWlzc2lvblBoYXNlEg4KBnJ1bl9pZBgDIAEoCRIUCgxtaXNzaW9uX25hbWUYBCABKAkSFgoObWlzc2lvbl9zaGEyNTYYBSABKAkSEgoKZHVyYXRpb25fcxgGIAEoARIRCgllbGFwc2VkX3MYByABKAESDAoEc2VlZBgIIAEoDRISCgplbmRfcmVhc29uGAkgASgJIoYBCgRQbGFuEh4KBXN0YW1wGAEgASgLMg8uYnVtcGxlc3MuU3RhbXASEQoJZmlsZV9uYW1lGAIgASgJEhQKDG1pc3Npb25feWFtbBgDIAEoCRIOCgZzaGEyNTYYBCABKAkSJQoKcGF0aF9uZWRfbRgFIAMoCzIRLmJ1bXBsZXNzLlZlY3RvcjMiXQoOTW9kZVBhcmFtZXRlcnMSEgoKcV9kaWFnb25hbBgBIAMoARISCgpyX2RpYWdvbmFsGAIgAygBEg4KBmxhbWJkYRgDIAEoARITCgtyYW1wX2N5Y2xlcxgEIAEoDSL/AQoUU3VwZXJ2aXNvclBhcmFtZXRlcnMSGAoQcmFuZ2VfcmhfbG93ZXJfbRgBIAEoARIYChByYW5nZV9yaF91cHBlcl9tGAIgASgBEhgKEHJhbmdlX2ZyX2xvd2VyX20YAyABKAESGAoQcmFuZ2VfZnJfdXBwZXJfbRgEIAEoARIYChByYW5nZV9oZl91cHBlcl9tGAUgASgBEhQKDGR3ZWxsX2N5Y2xlcxgGIAEoDRIWCg5kZXRlY3Rpb25faGl0cxgHIAEoDRIYChBkZXRlY3Rpb25fd2luZG93GAggASgNEh0KFWRldGVjdGlvbl9ob2xkX2N5Y2xlcxgJIAEoDSJfChJCdW1wbGVzc1BhcmFtZXRlcnMSDAoEcmFtcBgBIAEoCBIcChRpbnRlZ3JhdG9yX2FsaWdubWVudBgCIAEoCBIdChV3YXJtX3N0YXJ0X3Byb2plY3Rpb24YAyABKAgi7wEKClBhcmFtZXRlcnMSKQoHZm9yd2FyZBgBIAEoCzIYLmJ1bXBsZXNzLk1vZGVQYXJhbWV0ZXJzEikKB3JldmVyc2UYAiABKAsyGC5idW1wbGVzcy5Nb2RlUGFyYW1ldGVycxInCgVob3ZlchgDIAEoCzIYLmJ1bXBsZXNzLk1vZGVQYXJhbWV0ZXJzEjIKCnN1cGVydmlzb3IYBCABKAsyHi5idW1wbGVzcy5TdXBlcnZpc29yUGFyYW1ldGVycxIuCghidW1wbGVzcxgFIAEoCzIcLmJ1bXBsZXNzLkJ1bXBsZXNzUGFyYW1ldGVycyK7AQoQUGFyYW1ldGVyc1N0YXR1cxIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEiQKBmFjdGl2ZRgCIAEoCzIULmJ1bXBsZXNzLlBhcmFtZXRlcnMSEAoIcmV2aXNpb24YAyABKAQSDgoGc2hhMjU2GAQgASgJEiYKCGRlZmF1bHRzGAUgASgLMhQuYnVtcGxlc3MuUGFyYW1ldGVycxIXCg9wYXJhbWV0ZXJzX2pzb24YBiABKAki5AEKElZlaGljbGVEZXNjcmlwdGlvbhIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEhIKCnZlaGljbGVfaWQYAiABKAkSFAoMdmVoaWNsZV9uYW1lGAMgASgJEhQKDHZlaGljbGVfdG9tbBgEIAEoCRIOCgZzaGEyNTYYBSABKAkSGAoQc29mdHdhcmVfdmVyc2lvbhgGIAEoCRIYChBjb250cm9sX3BlcmlvZF9zGAcgASgBEhYKDmFjdHVhdG9yX25hbWVzGAggAygJEhIKCnNlc3Npb25faWQYCSABKAkijAIKBkhlYWx0aBIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEg4KBmN5Y2xlcxgCIAEoBBIVCg1taXNzZWRfY3ljbGVzGAMgASgEEhcKD2xhdGVuZXNzX3A5OV9tcxgEIAEoARIXCg9sYXRlbmVzc19tYXhfbXMYBSABKAESGQoRY3ljbGVfdGltZV9wNTBfdXMYBiABKAESGQoRY3ljbGVfdGltZV9wOTlfdXMYByABKAESFgoOcmVzaWRlbnRfYnl0ZXMYCCABKAQSEgoKcHJvY2Vzc19pZBgJIAEoDRIRCglob3N0X25hbWUYCiABKAkSFAoMZHJvcHBlZF9yb3dzGAsgASgEIsgBCgVFdmVudBIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEiQKCHNldmVyaXR5GAIgASgOMhIuYnVtcGxlc3MuU2V2ZXJpdHkSDAoEY29kZRgDIAEoCRIMCgR0ZXh0GAQgASgJEi0KB2RldGFpbHMYBSADKAsyHC5idW1wbGVzcy5FdmVudC5EZXRhaWxzRW50cnkaLgoMRGV0YWlsc0VudHJ5EgsKA2tleRgBIAEoCRINCgV2YWx1ZRgCIAEoCToCOAEi/wIKClRydXRoU3RhdGUSHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIpCg5wb3NpdGlvbl9uZWRfbRgCIAEoCzIRLmJ1bXBsZXNzLlZlY3RvcjMSJAoIYXR0aXR1ZGUYAyABKAsyEi5idW1wbGVzcy5BdHRpdHVkZRIsChF2ZWxvY2l0eV9ib2R5X21wcxgEIAEoCzIRLmJ1bXBsZXNzLlZlY3RvcjMSMgoXYW5ndWxhcl9yYXRlX2JvZHlfZGVncHMYBSABKAsyES5idW1wbGVzcy5WZWN0b3IzEikKD2FjdHVhdG9yX3dyZW5jaBgGIAEoCzIQLmJ1bXBsZXNzLldyZW5jaBIqCg9jdXJyZW50X25lZF9tcHMYByABKAsyES5idW1wbGVzcy5WZWN0b3IzEhUKDWVmZmVjdGl2ZW5lc3MYCCADKAESMAoVdGFyZ2V0X3Bvc2l0aW9uX25lZF9tGAkgASgLMhEuYnVtcGxlc3MuVmVjdG9yMyJlCgxTdGFydE1pc3Npb24SEQoJZmlsZV9uYW1lGAEgASgJEhQKDG1pc3Npb25feWFtbBgCIAEoCRIRCgRzZWVkGAMgASgNSACIAQESEAoIb3BlcmF0b3IYBCABKAlCBwoFX3NlZWQifQoNUmVxdWVzdEhlYWRlchIKCgJpZBgBIAEoCRISCgpleHBpcmVzX25zGAIgASgEEhIKCnNlc3Npb25faWQYAyABKAkSDgoGYXV0aG9yGAQgASgJEhgKC2lmX3JldmlzaW9uGAUgASgESACIAQFCDgoMX2lmX3JldmlzaW9uIgcKBUVtcHR5IqoBCgxDb21tYW5kUmVwbHkSEAoIYWNjZXB0ZWQYASABKAgSDgoGcmVhc29uGAIgASgJEiMKCHByb2JsZW1zGAMgAygLMhEuYnVtcGxlc3MuUHJvYmxlbRIOCgZydW5faWQYBCABKAkSEAoIcmV2aXNpb24YBSABKAQSCgoCaWQYBiABKAkSJQoFY2F1c2UYByABKA4yFi5idW1wbGVzcy5SZWZ1c2FsQ2F1c2UiYQoHUHJvYmxlbRIMCgRmaWxlGAEgASgJEgwKBGxpbmUYAiABKA0SDgoGY29sdW1uGAMgASgNEg0KBWZpZWxkGAQgASgJEg0KBXZhbHVlGAUgASgJEgwKBHJ1bGUYBiABKAki4AIKDVN3aXRjaE1ldHJpY3MSIQoJZnJvbV9tb2RlGAEgASgOMg4uYnVtcGxlc3MuTW9kZRIfCgd0b19tb2RlGAIgASgOMg4uYnVtcGxlc3MuTW9kZRIOCgZ0aW1lX3MYAyABKAESHwoXY29tbWFuZF9zdGVwX25vcm1hbGlzZWQYBCABKAESGAoQY29tbWFuZF9zdGVwX3JhdxgFIAEoARIVCg1hY3R1YXRvcl9zdGVwGAYgAygBEhIKCnNldHRsaW5nX3MYByABKAESHQoVY29tbWFuZF9zdGVwX3NldHRsaW5nGAggASgBEhQKDGZvcmNlX3N0ZXBfbhgJIAEoARIWCg5tb21lbnRfc3RlcF9ubRgKIAEoARIeChZhY2NlbGVyYXRpb25fc3RlcF9tcHMyGAsgASgBEigKIGFuZ3VsYXJfYWNjZWxlcmF0aW9uX3N0ZXBfZGVncHMyGAwgASgBIv8DCgtNb2RlTWV0cmljcxIcCgRtb2RlGAEgASgOMg4uYnVtcGxlc3MuTW9kZRISCgpkdXJhdGlvbl9zGAIgASgBEg8KB3NhbXBsZXMYAyABKA0SEwoLZGVwdGhfcm1zX20YBCABKAESHAoUZGVwdGhfcGVha190b19wZWFrX20YBSABKAESFAoMcm9sbF9ybXNfZGVnGAYgASgBEhUKDXBpdGNoX3Jtc19kZWcYByABKAESEwoLeWF3X3Jtc19kZWcYCCABKAESHAoUc3VyZ2Vfc3BlZWRfbWVhbl9tcHMYCSABKAESFAoMYWN0dWF0b3Jfcm1zGAogAygBEhQKDHJlc2lkdWFsX3JtcxgLIAEoARIZChFkZXB0aF9lcnJvcl9ybXNfbRgMIAEoARIZChFkZXB0aF9lcnJvcl9tYXhfbRgNIAEoARIfChdjcm9zc190cmFja19lcnJvcl9ybXNfbRgOIAEoARIfChdjcm9zc190cmFja19lcnJvcl9tYXhfbRgPIAEoARIdChVoZWFkaW5nX2Vycm9yX3Jtc19kZWcYECABKAESHQoVaGVhZGluZ19lcnJvcl9tYXhfZGVnGBEgASgBEhsKE3NwZWVkX2Vycm9yX3Jtc19tcHMYEiABKAESGwoTc3BlZWRfZXJyb3JfbWF4X21wcxgTIAEoASJuCglFbmRFcnJvcnMSEgoKcG9zaXRpb25fbRgBIAEoARIUCgxob3Jpem9udGFsX20YAiABKAESDwoHZGVwdGhfbRgDIAEoARITCgtoZWFkaW5nX2RlZxgEIAEoARIRCglzcGVlZF9tcHMYBSABKAEihQIKB091dGNvbWUSIAoGZW5kaW5nGAEgASgOMhAuYnVtcGxlc3MuRW5kaW5nEg4KBnJlYXNvbhgCIAEoCRINCgViYXNpcxgDIAEoCRIcCgRtb2RlGAQgASgOMg4uYnVtcGxlc3MuTW9kZRIOCgZoZWxkX3MYBSABKAESEQoJY2xvc2VzdF9tGAYgASgBEhEKCWNsb3Nlc3RfcxgHIAEoARIoCgt0cnVlX2Vycm9ycxgIIAEoCzITLmJ1bXBsZXNzLkVuZEVycm9ycxIsCg9iZWxpZXZlZF9lcnJvcnMYCSABKAsyEy5idW1wbGVzcy5FbmRFcnJvcnMSDQoFdHJpZXMYCiABKA0iiAUKB01ldHJpY3MSDgoGcnVuX2lkGAEgASgJEhIKCmR1cmF0aW9uX3MYAiABKAESDgoGY3ljbGVzGAMgASgNEhQKDHJlc2lkdWFsX3JtcxgEIAEoARIYChBzYXR1cmF0aW9uX3JhdGlvGAUgASgBEg4KBmRfdV9mchgGIAEoARIOCgZkX3VfcmgYByABKAESKQoIc3dpdGNoZXMYCCADKAsyFy5idW1wbGVzcy5Td2l0Y2hNZXRyaWNzEiQKBW1vZGVzGAkgAygLMhUuYnVtcGxlc3MuTW9kZU1ldHJpY3MSGgoSc29sdmVfdGltZV9tZWFuX3VzGAogASgBEhkKEXNvbHZlX3RpbWVfc3RkX3VzGAsgASgBEhkKEXNvbHZlX3RpbWVfcDk1X3VzGAwgASgBEhkKEXNvbHZlX3RpbWVfbWF4X3VzGA0gASgBEhUKDWZpbmFsX3JhbmdlX20YDiABKAESHAoUaW5jcmVtZW50X3Zpb2xhdGlvbnMYDyABKA0SHgoWZGVtYW5kX3N0ZXBfdmlvbGF0aW9ucxgQIAEoDRIZChFyZXNpZHVhbF9ybXNfdHJ1ZRgRIAEoARIWCg5taXNzaW5nX2N5Y2xlcxgSIAEoDRIUCgxzb2x2ZWRfcmF0aW8YEyABKAESIgoHb3V0Y29tZRgUIAEoCzIRLmJ1bXBsZXNzLk91dGNvbWUSFwoPZF91X2ZyX3NldHRsaW5nGBUgASgBEhcKD2RfdV9yaF9zZXR0bGluZxgWIAEoARIWCg5zaGFmdF9lbmVyZ3lfahgXIAEoARIWCg5maW5fdHJhdmVsX2RlZxgYIAEoARIXCg9zY3Jld19yZXZlcnNhbHMYGSABKA0iWAoNU3RyZWFtTWVzc2FnZRINCgV0b3BpYxgBIAEoCRIOCgZzY2hlbWEYAiABKAkSDwoHcGF5bG9hZBgDIAEoDBIXCg9yZWNlaXZlX3RpbWVfbnMYBCABKAQiXgoLU3RyZWFtRnJhbWUSFgoOc2VydmVyX3RpbWVfbnMYASABKAQSKQoIbWVzc2FnZXMYAiADKAsyFy5idW1wbGVzcy5TdHJlYW1NZXNzYWdlEgwKBHBhc3QYAyABKAgirgMKDFNlcnZlclN0YXR1cxIPCgd0aW1lX25zGAEgASgEEhIKCnZlaGljbGVfaWQYAiABKAkSIQoEbGluaxgDIAEoDjITLmJ1bXBsZXNzLkxpbmtTdGF0ZRIXCg90ZWxlbWV0cnlfYWdlX3MYBCABKAESEQoJcmVjb3JkaW5nGAUgASgIEhgKEHJlY29yZGluZ19ydW5faWQYBiABKAkSFgoOcmVjb3JkZWRfYnl0ZXMYByABKAQSGAoQcmVjb3JkZXJfZHJvcHBlZBgIIAEoBBIVCg1ub2RlX3Jlc3RhcnRzGAkgASgNEhYKDnN0cmVhbV9jbGllbnRzGAogASgNEhYKDnNlcnZlcl92ZXJzaW9uGAsgASgJEhQKDG5vZGVfbWFuYWdlZBgMIAEoCBIYChByZWNvcmRlcl90cm91YmxlGA0gASgJEigKBnRvcGljcxgOIAMoCzIYLmJ1bXBsZXNzLlRvcGljRnJlc2huZXNzEhYKDmNsb2NrX29mZnNldF9zGA8gASgBEhIKCmJ1c19ub3RpY2UYECABKAkSEQoJc2V0X2FzaWRlGBEgASgEIlEKDlRvcGljRnJlc2huZXNzEg0KBXRvcGljGAEgASgJEg0KBWFnZV9zGAIgASgBEhMKC2ZyZXNoX2Zvcl9zGAMgASgBEgwKBGxhdGUYBCABKAgqUAoETW9kZRIUChBNT0RFX1VOU1BFQ0lGSUVEEAASEAoMTU9ERV9GT1JXQVJEEAESEAoMTU9ERV9SRVZFUlNFEAISDgoKTU9ERV9IT1ZFUhADKrIBCgxNaXNzaW9uUGhhc2USHQoZTUlTU0lPTl9QSEFTRV9VTlNQRUNJRklFRBAAEhYKEk1JU1NJT05fUEhBU0VfSURMRRABEhkKFU1JU1NJT05fUEhBU0VfUlVOTklORxACEhgKFE1JU1NJT05fUEhBU0VfUEFVU0VEEAMSGwoXTUlTU0lPTl9QSEFTRV9DT01QTEVURUQQBBIZChVNSVNTSU9OX1BIQVNFX0FCT1JURUQQBSq1AQoLU29sdmVTdGF0dXMSHAoYU09MVkVfU1RBVFVTX1VOU1BFQ0lGSUVEEAASFwoTU09MVkVfU1RBVFVTX1NPTFZFRBABEh0KGVNPTFZFX1NUQVRVU19CVURHRVRfU1BFTlQQAhIbChdTT0xWRV9TVEFUVVNfSU5GRUFTSUJMRRADEhkKFVNPTFZFX1NUQVRVU19GQUxMQkFDSxAEEhgKFFNPTFZFX1NUQVRVU19SRUZVU0VEEAUqYQoIU2V2ZXJpdHkSGAoUU0VWRVJJVFlfVU5TUEVDSUZJRUQQABIRCg1TRVZFUklUWV9JTkZPEAESFAoQU0VWRVJJVFlfV0FSTklORxACEhIKDlNFVkVSSVRZX0FMQVJNEAMqrQEKDERvY2tpbmdTdGFnZRIdChlET0NLSU5HX1NUQUdFX1VOU1BFQ0lGSUVEEAASGQoVRE9DS0lOR19TVEFHRV9UUkFOU0lUEAESFwoTRE9DS0lOR19TVEFHRV9FTlRSWRACEhoKFkRPQ0tJTkdfU1RBR0VfQVBQUk9BQ0gQAxIWChJET0NLSU5HX1NUQUdFX0JBQ0sQBBIWChJET0NLSU5HX1NUQUdFX0hPTEQQBSroAgoNV2F2ZU9mZlJlYXNvbhIfChtXQVZFX09GRl9SRUFTT05fVU5TUEVDSUZJRUQQABIfChtXQVZFX09GRl9SRUFTT05fVEFSR0VUX0xPU1QQARIcChhXQVZFX09GRl9SRUFTT05fT0ZGX0xJTkUQAhIfChtXQVZFX09GRl9SRUFTT05fT0ZGX0hFQURJTkcQAxIdChlXQVZFX09GRl9SRUFTT05fT0ZGX0RFUFRIEAQSHAoYV0FWRV9PRkZfUkVBU09OX09WRVJTSE9UEAUSIQodV0FWRV9PRkZfUkVBU09OX1NUVUNLX0FUX0dBVEUQBhIcChhXQVZFX09GRl9SRUFTT05fTk9UX1NFRU4QBxIcChhXQVZFX09GRl9SRUFTT05fVE9PX1NMT1cQCBIbChdXQVZFX09GRl9SRUFTT05fQ1VSUkVOVBAJEh0KGVdBVkVfT0ZGX1JFQVNPTl9USU1FX09WRVIQCiraAQoMUmVmdXNhbENhdXNlEh0KGVJFRlVTQUxfQ0FVU0VfVU5TUEVDSUZJRUQQABIWChJSRUZVU0FMX0NBVVNFX0xBVEUQARIWChJSRUZVU0FMX0NBVVNFX0JVU1kQAhIbChdSRUZVU0FMX0NBVVNFX09WRVJUQUtFThADEiAKHFJFRlVTQUxfQ0FVU0VfU1RBTEVfUkVWSVNJT04QBBIbChdSRUZVU0FMX0NBVVNFX05PX0hFQURFUhAFEh8KG1JFRlVTQUxfQ0FVU0VfTk9UX0FERFJFU1NFRBAGKrEBCgZFbmRpbmcSFgoSRU5ESU5HX1VOU1BFQ0lGSUVEEAASEQoNRU5ESU5HX0RPQ0tFRBABEg8KC0VORElOR19IRUxEEAISFAoQRU5ESU5HX1dBVkVEX09GRhADEhQKEEVORElOR19USU1FX09WRVIQBBISCg5FTkRJTkdfQUJPUlRFRBAFEhMKD0VORElOR19DT0xMSURFRBAGEhYKEkVORElOR19JTlRFUlJVUFRFRBAHKn8KCUxpbmtTdGF0ZRIaChZMSU5LX1NUQVRFX1VOU1BFQ0lGSUVEEAASFgoSTElOS19TVEFURV9XQUlUSU5HEAESEwoPTElOS19TVEFURV9MSVZFEAISFAoQTElOS19TVEFURV9TVEFMRRADEhMKD0xJTktfU1RBVEVfTE9TVBAEYgZwcm90bzM");
+  fileDesc("Cg5idW1wbGVzcy5wcm90bxIIYnVtcGxlc3MiKgoHVmVjdG9yMxIJCgF4GAEgASgBEgkKAXkYAiABKAESCQoBehgDIAEoASJACghBdHRpdHVkZRIQCghyb2xsX2RlZxgBIAEoARIRCglwaXRjaF9kZWcYAiABKAESDwoHeWF3X2RlZxgDIAEoASJZCgZXcmVuY2gSCwoDeF9uGAEgASgBEgsKA3lfbhgCIAEoARILCgN6X24YAyABKAESDAoEa19ubRgEIAEoARIMCgRtX25tGAUgASgBEgwKBG5fbm0YBiABKAEiPwoFU3RhbXASDwoHdGltZV9ucxgBIAEoBBIWCg5taXNzaW9uX3RpbWVfcxgCIAEoARINCgVjeWNsZRgDIAEoBCKAAwoKTmF2aWdhdGlvbhIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEikKDnBvc2l0aW9uX25lZF9tGAIgASgLMhEuYnVtcGxlc3MuVmVjdG9yMxIkCghhdHRpdHVkZRgDIAEoCzISLmJ1bXBsZXNzLkF0dGl0dWRlEiwKEXZlbG9jaXR5X2JvZHlfbXBzGAQgASgLMhEuYnVtcGxlc3MuVmVjdG9yMxI6Ch92ZWxvY2l0eV90aHJvdWdoX3dhdGVyX2JvZHlfbXBzGAUgASgLMhEuYnVtcGxlc3MuVmVjdG9yMxIyChdhbmd1bGFyX3JhdGVfYm9keV9kZWdwcxgGIAEoCzIRLmJ1bXBsZXNzLlZlY3RvcjMSDwoHZGVwdGhfbRgHIAEoARIdChVzcGVlZF9vdmVyX2dyb3VuZF9tcHMYCCABKAESMwoYY3VycmVudF9lc3RpbWF0ZV9uZWRfbXBzGAkgASgLMhEuYnVtcGxlc3MuVmVjdG9yMyKUAgoIR3VpZGFuY2USHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIhChlzdXJnZV9zcGVlZF9yZWZlcmVuY2VfbXBzGAIgASgBEhkKEWRlcHRoX3JlZmVyZW5jZV9tGAMgASgBEi4KEmF0dGl0dWRlX3JlZmVyZW5jZRgEIAEoCzISLmJ1bXBsZXNzLkF0dGl0dWRlEhsKE2Nyb3NzX3RyYWNrX2Vycm9yX20YBSABKAESGwoTYWxvbmdfdHJhY2tfZXJyb3JfbRgGIAEoARILCgNsZWcYByABKA0SEQoJbGVnX2NvdW50GAggASgNEiAKGHN3YXlfc3BlZWRfcmVmZXJlbmNlX21wcxgJIAEoASKNBQoKU3VwZXJ2aXNvchIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEhwKBG1vZGUYAiABKA4yDi5idW1wbGVzcy5Nb2RlEiUKDXByZXZpb3VzX21vZGUYAyABKA4yDi5idW1wbGVzcy5Nb2RlEg8KB3JhbmdlX20YBCABKAESFQoNZGV0ZWN0aW9uX3JhdxgFIAEoCBIRCglkZXRlY3Rpb24YBiABKAgSDQoFa2FwcGEYByABKAESFgoOdGltZV9pbl9tb2RlX3MYCCABKAESGQoRZHdlbGxfcmVtYWluaW5nX3MYCSABKAESGAoQcmFuZ2VfcmhfbG93ZXJfbRgKIAEoARIYChByYW5nZV9yaF91cHBlcl9tGAsgASgBEhgKEHJhbmdlX2ZyX2xvd2VyX20YDCABKAESGAoQcmFuZ2VfZnJfdXBwZXJfbRgNIAEoARIYChByYW5nZV9oZl91cHBlcl9tGA4gASgBEiUKBXBoYXNlGA8gASgOMhYuYnVtcGxlc3MuTWlzc2lvblBoYXNlEi0KDWRvY2tpbmdfc3RhZ2UYECABKA4yFi5idW1wbGVzcy5Eb2NraW5nU3RhZ2USFQoNZG9ja2luZ190cmllcxgRIAEoDRIaChJkb2NraW5nX3RyaWVzX21vc3QYEiABKA0SMAoPd2F2ZV9vZmZfcmVhc29uGBMgASgOMhcuYnVtcGxlc3MuV2F2ZU9mZlJlYXNvbhIcChRhcHByb2FjaF9oZWFkaW5nX2RlZxgUIAEoARIRCglmaXhfYWdlX3MYFSABKAESEAoIY2FwdHVyZWQYFiABKAgSHQoFZmxvd24YFyABKA4yDi5idW1wbGVzcy5Nb2RlImAKBUd1YXJkEgwKBG5hbWUYASABKAkSDQoFdmFsdWUYAiABKAESDQoFbGltaXQYAyABKAESEAoIYXRfbGVhc3QYBCABKAgSCwoDbWV0GAUgASgIEgwKBHVuaXQYBiABKAkiaQoITW9kZUV4aXQSGgoCdG8YASABKA4yDi5idW1wbGVzcy5Nb2RlEgwKBG5hbWUYAiABKAkSHwoGZ3VhcmRzGAMgAygLMg8uYnVtcGxlc3MuR3VhcmQSEgoKZXhwZWN0ZWRfcxgEIAEoASJoCgVFeGl0cxIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEhwKBG1vZGUYAiABKA4yDi5idW1wbGVzcy5Nb2RlEiEKBWV4aXRzGAMgAygLMhIuYnVtcGxlc3MuTW9kZUV4aXQi3wEKB0NvbnRyb2wSHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIiCghkZW1hbmRlZBgCIAEoCzIQLmJ1bXBsZXNzLldyZW5jaBImCgxkZW1hbmRlZF9yYXcYAyABKAsyEC5idW1wbGVzcy5XcmVuY2gSIgoIYWNoaWV2ZWQYBCABKAsyEC5idW1wbGVzcy5XcmVuY2gSIgoIcmVzaWR1YWwYBSABKAsyEC5idW1wbGVzcy5XcmVuY2gSIAoGZnJvemVuGAYgASgLMhAuYnVtcGxlc3MuV3JlbmNoIvoBCgpBbGxvY2F0aW9uEh4KBXN0YW1wGAEgASgLMg8uYnVtcGxlc3MuU3RhbXASJQoGc3RhdHVzGAIgASgOMhUuYnVtcGxlc3MuU29sdmVTdGF0dXMSFgoOc3FwX2l0ZXJhdGlvbnMYAyABKA0SFAoMa2t0X3Jlc2lkdWFsGAQgASgBEhUKDXJlc2lkdWFsX25vcm0YBSABKAESDAoEY29zdBgGIAEoARIVCg1zb2x2ZV90aW1lX3VzGAcgASgBEhcKD3NhdHVyYXRlZF9jb3VudBgIIAEoDRIOCgZzb2x2ZXIYCSABKAkSEgoKc2xhY2tfbm9ybRgKIAEoASKxAgoIQWN0dWF0b3ISDAoEbmFtZRgBIAEoCRIMCgR1bml0GAIgASgJEg8KB2NvbW1hbmQYAyABKAESEAoIZmVlZGJhY2sYBCABKAESDQoFbG93ZXIYBSABKAESDQoFdXBwZXIYBiABKAESFwoPYW1wbGl0dWRlX2xvd2VyGAcgASgBEhcKD2FtcGxpdHVkZV91cHBlchgIIAEoARIRCglzYXR1cmF0ZWQYCSABKAgSFAoMcmF0ZV9saW1pdGVkGAogASgIEhcKD2luY3JlbWVudF9ib3VuZBgLIAEoARIaCg1lZmZlY3RpdmVuZXNzGAwgASgBSACIAQESFgoOZmF1bHRfZXZpZGVuY2UYDSABKAESDgoGZmF1bHR5GA4gASgIQhAKDl9lZmZlY3RpdmVuZXNzIlIKCUFjdHVhdG9ycxIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEiUKCWFjdHVhdG9ycxgCIAMoCzISLmJ1bXBsZXNzLkFjdHVhdG9yIvQBCgZUYXJnZXQSHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIQCghkZXRlY3RlZBgCIAEoCBIYChBtZWFzdXJlZF9yYW5nZV9tGAMgASgBEhMKC2JlYXJpbmdfZGVnGAQgASgBEhUKDWVsZXZhdGlvbl9kZWcYBSABKAESKQoOcG9zaXRpb25fbmVkX20YBiABKAsyES5idW1wbGVzcy5WZWN0b3IzEhMKC2hlYWRpbmdfZGVnGAcgASgBEjIKF29ic2VydmF0aW9uX3BvaW50X25lZF9tGAggASgLMhEuYnVtcGxlc3MuVmVjdG9yMyLtAQoNTWlzc2lvblN0YXR1cxIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEiUKBXBoYXNlGAIgASgOMhYuYnVtcGxlc3MuTWlzc2lvblBoYXNlEg4KBnJ1bl9pZBgDIAEoCRIUCgxtaXNzaW9uX25hbWUYBCABKAkSFgoObWlzc2lvbl9zaGEyNTYYBSABKAkSEgoKZHVyYXRpb25fcxgGIAEoARIRCgllbGFwc2VkX3MYByABKAESDAoEc2VlZBgIIAEoDRISCgplbmRfcmVhc29uGAkgASgJEg4KBmhlbGRfcxgKIAEoASKGAQoEUGxhbhIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEhEKCWZpbGVfbmFtZRgCIAEoCRIUCgxtaXNzaW9uX3lhbWwYAyABKAkSDgoGc2hhMjU2GAQgASgJEiUKCnBhdGhfbmVkX20YBSADKAsyES5idW1wbGVzcy5WZWN0b3IzIl0KDk1vZGVQYXJhbWV0ZXJzEhIKCnFfZGlhZ29uYWwYASADKAESEgoKcl9kaWFnb25hbBgCIAMoARIOCgZsYW1iZGEYAyABKAESEwoLcmFtcF9jeWNsZXMYBCABKA0i/wEKFFN1cGVydmlzb3JQYXJhbWV0ZXJzEhgKEHJhbmdlX3JoX2xvd2VyX20YASABKAESGAoQcmFuZ2VfcmhfdXBwZXJfbRgCIAEoARIYChByYW5nZV9mcl9sb3dlcl9tGAMgASgBEhgKEHJhbmdlX2ZyX3VwcGVyX20YBCABKAESGAoQcmFuZ2VfaGZfdXBwZXJfbRgFIAEoARIUCgxkd2VsbF9jeWNsZXMYBiABKA0SFgoOZGV0ZWN0aW9uX2hpdHMYByABKA0SGAoQZGV0ZWN0aW9uX3dpbmRvdxgIIAEoDRIdChVkZXRlY3Rpb25faG9sZF9jeWNsZXMYCSABKA0iXwoSQnVtcGxlc3NQYXJhbWV0ZXJzEgwKBHJhbXAYASABKAgSHAoUaW50ZWdyYXRvcl9hbGlnbm1lbnQYAiABKAgSHQoVd2FybV9zdGFydF9wcm9qZWN0aW9uGAMgASgIIu8BCgpQYXJhbWV0ZXJzEikKB2ZvcndhcmQYASABKAsyGC5idW1wbGVzcy5Nb2RlUGFyYW1ldGVycxIpCgdyZXZlcnNlGAIgASgLMhguYnVtcGxlc3MuTW9kZVBhcmFtZXRlcnMSJwoFaG92ZXIYAyABKAsyGC5idW1wbGVzcy5Nb2RlUGFyYW1ldGVycxIyCgpzdXBlcnZpc29yGAQgASgLMh4uYnVtcGxlc3MuU3VwZXJ2aXNvclBhcmFtZXRlcnMSLgoIYnVtcGxlc3MYBSABKAsyHC5idW1wbGVzcy5CdW1wbGVzc1BhcmFtZXRlcnMiuwEKEFBhcmFtZXRlcnNTdGF0dXMSHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIkCgZhY3RpdmUYAiABKAsyFC5idW1wbGVzcy5QYXJhbWV0ZXJzEhAKCHJldmlzaW9uGAMgASgEEg4KBnNoYTI1NhgEIAEoCRImCghkZWZhdWx0cxgFIAEoCzIULmJ1bXBsZXNzLlBhcmFtZXRlcnMSFwoPcGFyYW1ldGVyc19qc29uGAYgASgJIuQBChJWZWhpY2xlRGVzY3JpcHRpb24SHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBISCgp2ZWhpY2xlX2lkGAIgASgJEhQKDHZlaGljbGVfbmFtZRgDIAEoCRIUCgx2ZWhpY2xlX3RvbWwYBCABKAkSDgoGc2hhMjU2GAUgASgJEhgKEHNvZnR3YXJlX3ZlcnNpb24YBiABKAkSGAoQY29udHJvbF9wZXJpb2RfcxgHIAEoARIWCg5hY3R1YXRvcl9uYW1lcxgIIAMoCRISCgpzZXNzaW9uX2lkGAkgASgJIowCCgZIZWFsdGgSHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIOCgZjeWNsZXMYAiABKAQSFQoNbWlzc2VkX2N5Y2xlcxgDIAEoBBIXCg9sYXRlbmVzc19wOTlfbXMYBCABKAESFwoPbGF0ZW5lc3NfbWF4X21zGAUgASgBEhkKEWN5Y2xlX3RpbWVfcDUwX3VzGAYgASgBEhkKEWN5Y2xlX3RpbWVfcDk5X3VzGAcgASgBEhYKDnJlc2lkZW50X2J5dGVzGAggASgEEhIKCnByb2Nlc3NfaWQYCSABKA0SEQoJaG9zdF9uYW1lGAogASgJEhQKDGRyb3BwZWRfcm93cxgLIAEoBCLIAQoFRXZlbnQSHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIkCghzZXZlcml0eRgCIAEoDjISLmJ1bXBsZXNzLlNldmVyaXR5EgwKBGNvZGUYAyABKAkSDAoEdGV4dBgEIAEoCRItCgdkZXRhaWxzGAUgAygLMhwuYnVtcGxlc3MuRXZlbnQuRGV0YWlsc0VudHJ5Gi4KDERldGFpbHNFbnRyeRILCgNrZXkYASABKAkSDQoFdmFsdWUYAiABKAk6AjgBIuMDCgpUcnV0aFN0YXRlEh4KBXN0YW1wGAEgASgLMg8uYnVtcGxlc3MuU3RhbXASKQoOcG9zaXRpb25fbmVkX20YAiABKAsyES5idW1wbGVzcy5WZWN0b3IzEiQKCGF0dGl0dWRlGAMgASgLMhIuYnVtcGxlc3MuQXR0aXR1ZGUSLAoRdmVsb2NpdHlfYm9keV9tcHMYBCABKAsyES5idW1wbGVzcy5WZWN0b3IzEjIKF2FuZ3VsYXJfcmF0ZV9ib2R5X2RlZ3BzGAUgASgLMhEuYnVtcGxlc3MuVmVjdG9yMxIpCg9hY3R1YXRvcl93cmVuY2gYBiABKAsyEC5idW1wbGVzcy5XcmVuY2gSKgoPY3VycmVudF9uZWRfbXBzGAcgASgLMhEuYnVtcGxlc3MuVmVjdG9yMxIVCg1lZmZlY3RpdmVuZXNzGAggAygBEjAKFXRhcmdldF9wb3NpdGlvbl9uZWRfbRgJIAEoCzIRLmJ1bXBsZXNzLlZlY3RvcjMSFwoPY29udGFjdF9mb3JjZV9uGAogASgBEhwKFGNvbnRhY3RfZm9yY2VfbW9zdF9uGAsgASgBEhQKDG5vc2VfZGVwdGhfbRgMIAEoARIVCg1ub3NlX29mZnNldF9tGA0gASgBImUKDFN0YXJ0TWlzc2lvbhIRCglmaWxlX25hbWUYASABKAkSFAoMbWlzc2lvbl95YW1sGAIgASgJEhEKBHNlZWQYAyABKA1IAIgBARIQCghvcGVyYXRvchgEIAEoCUIHCgVfc2VlZCJ9Cg1SZXF1ZXN0SGVhZGVyEgoKAmlkGAEgASgJEhIKCmV4cGlyZXNfbnMYAiABKAQSEgoKc2Vzc2lvbl9pZBgDIAEoCRIOCgZhdXRob3IYBCABKAkSGAoLaWZfcmV2aXNpb24YBSABKARIAIgBAUIOCgxfaWZfcmV2aXNpb24iBwoFRW1wdHkiqgEKDENvbW1hbmRSZXBseRIQCghhY2NlcHRlZBgBIAEoCBIOCgZyZWFzb24YAiABKAkSIwoIcHJvYmxlbXMYAyADKAsyES5idW1wbGVzcy5Qcm9ibGVtEg4KBnJ1bl9pZBgEIAEoCRIQCghyZXZpc2lvbhgFIAEoBBIKCgJpZBgGIAEoCRIlCgVjYXVzZRgHIAEoDjIWLmJ1bXBsZXNzLlJlZnVzYWxDYXVzZSJhCgdQcm9ibGVtEgwKBGZpbGUYASABKAkSDAoEbGluZRgCIAEoDRIOCgZjb2x1bW4YAyABKA0SDQoFZmllbGQYBCABKAkSDQoFdmFsdWUYBSABKAkSDAoEcnVsZRgGIAEoCSLgAgoNU3dpdGNoTWV0cmljcxIhCglmcm9tX21vZGUYASABKA4yDi5idW1wbGVzcy5Nb2RlEh8KB3RvX21vZGUYAiABKA4yDi5idW1wbGVzcy5Nb2RlEg4KBnRpbWVfcxgDIAEoARIfChdjb21tYW5kX3N0ZXBfbm9ybWFsaXNlZBgEIAEoARIYChBjb21tYW5kX3N0ZXBfcmF3GAUgASgBEhUKDWFjdHVhdG9yX3N0ZXAYBiADKAESEgoKc2V0dGxpbmdfcxgHIAEoARIdChVjb21tYW5kX3N0ZXBfc2V0dGxpbmcYCCABKAESFAoMZm9yY2Vfc3RlcF9uGAkgASgBEhYKDm1vbWVudF9zdGVwX25tGAogASgBEh4KFmFjY2VsZXJhdGlvbl9zdGVwX21wczIYCyABKAESKAogYW5ndWxhcl9hY2NlbGVyYXRpb25fc3RlcF9kZWdwczIYDCABKAEi/wMKC01vZGVNZXRyaWNzEhwKBG1vZGUYASABKA4yDi5idW1wbGVzcy5Nb2RlEhIKCmR1cmF0aW9uX3MYAiABKAESDwoHc2FtcGxlcxgDIAEoDRITCgtkZXB0aF9ybXNfbRgEIAEoARIcChRkZXB0aF9wZWFrX3RvX3BlYWtfbRgFIAEoARIUCgxyb2xsX3Jtc19kZWcYBiABKAESFQoNcGl0Y2hfcm1zX2RlZxgHIAEoARITCgt5YXdfcm1zX2RlZxgIIAEoARIcChRzdXJnZV9zcGVlZF9tZWFuX21wcxgJIAEoARIUCgxhY3R1YXRvcl9ybXMYCiADKAESFAoMcmVzaWR1YWxfcm1zGAsgASgBEhkKEWRlcHRoX2Vycm9yX3Jtc19tGAwgASgBEhkKEWRlcHRoX2Vycm9yX21heF9tGA0gASgBEh8KF2Nyb3NzX3RyYWNrX2Vycm9yX3Jtc19tGA4gASgBEh8KF2Nyb3NzX3RyYWNrX2Vycm9yX21heF9tGA8gASgBEh0KFWhlYWRpbmdfZXJyb3Jfcm1zX2RlZxgQIAEoARIdChVoZWFkaW5nX2Vycm9yX21heF9kZWcYESABKAESGwoTc3BlZWRfZXJyb3Jfcm1zX21wcxgSIAEoARIbChNzcGVlZF9lcnJvcl9tYXhfbXBzGBMgASgBIm4KCUVuZEVycm9ycxISCgpwb3NpdGlvbl9tGAEgASgBEhQKDGhvcml6b250YWxfbRgCIAEoARIPCgdkZXB0aF9tGAMgASgBEhMKC2hlYWRpbmdfZGVnGAQgASgBEhEKCXNwZWVkX21wcxgFIAEoASKFAgoHT3V0Y29tZRIgCgZlbmRpbmcYASABKA4yEC5idW1wbGVzcy5FbmRpbmcSDgoGcmVhc29uGAIgASgJEg0KBWJhc2lzGAMgASgJEhwKBG1vZGUYBCABKA4yDi5idW1wbGVzcy5Nb2RlEg4KBmhlbGRfcxgFIAEoARIRCgljbG9zZXN0X20YBiABKAESEQoJY2xvc2VzdF9zGAcgASgBEigKC3RydWVfZXJyb3JzGAggASgLMhMuYnVtcGxlc3MuRW5kRXJyb3JzEiwKD2JlbGlldmVkX2Vycm9ycxgJIAEoCzITLmJ1bXBsZXNzLkVuZEVycm9ycxINCgV0cmllcxgKIAEoDSKKAQoOQ2FwdHVyZU1ldHJpY3MSEAoIY2FwdHVyZWQYASABKAgSDgoGdGltZV9zGAIgASgBEhMKC3NlYXRfdGltZV9zGAMgASgBEhMKC2ZvcmNlX21heF9uGAQgASgBEhQKDGZvcmNlX21vc3RfbhgFIAEoARIWCg5lbnRyeV9vZmZzZXRfbRgGIAEoASKzBQoHTWV0cmljcxIOCgZydW5faWQYASABKAkSEgoKZHVyYXRpb25fcxgCIAEoARIOCgZjeWNsZXMYAyABKA0SFAoMcmVzaWR1YWxfcm1zGAQgASgBEhgKEHNhdHVyYXRpb25fcmF0aW8YBSABKAESDgoGZF91X2ZyGAYgASgBEg4KBmRfdV9yaBgHIAEoARIpCghzd2l0Y2hlcxgIIAMoCzIXLmJ1bXBsZXNzLlN3aXRjaE1ldHJpY3MSJAoFbW9kZXMYCSADKAsyFS5idW1wbGVzcy5Nb2RlTWV0cmljcxIaChJzb2x2ZV90aW1lX21lYW5fdXMYCiABKAESGQoRc29sdmVfdGltZV9zdGRfdXMYCyABKAESGQoRc29sdmVfdGltZV9wOTVfdXMYDCABKAESGQoRc29sdmVfdGltZV9tYXhfdXMYDSABKAESFQoNZmluYWxfcmFuZ2VfbRgOIAEoARIcChRpbmNyZW1lbnRfdmlvbGF0aW9ucxgPIAEoDRIeChZkZW1hbmRfc3RlcF92aW9sYXRpb25zGBAgASgNEhkKEXJlc2lkdWFsX3Jtc190cnVlGBEgASgBEhYKDm1pc3NpbmdfY3ljbGVzGBIgASgNEhQKDHNvbHZlZF9yYXRpbxgTIAEoARIiCgdvdXRjb21lGBQgASgLMhEuYnVtcGxlc3MuT3V0Y29tZRIXCg9kX3VfZnJfc2V0dGxpbmcYFSABKAESFwoPZF91X3JoX3NldHRsaW5nGBYgASgBEhYKDnNoYWZ0X2VuZXJneV9qGBcgASgBEhYKDmZpbl90cmF2ZWxfZGVnGBggASgBEhcKD3NjcmV3X3JldmVyc2FscxgZIAEoDRIpCgdjYXB0dXJlGBogASgLMhguYnVtcGxlc3MuQ2FwdHVyZU1ldHJpY3MiWAoNU3RyZWFtTWVzc2FnZRINCgV0b3BpYxgBIAEoCRIOCgZzY2hlbWEYAiABKAkSDwoHcGF5bG9hZBgDIAEoDBIXCg9yZWNlaXZlX3RpbWVfbnMYBCABKAQiXgoLU3RyZWFtRnJhbWUSFgoOc2VydmVyX3RpbWVfbnMYASABKAQSKQoIbWVzc2FnZXMYAiADKAsyFy5idW1wbGVzcy5TdHJlYW1NZXNzYWdlEgwKBHBhc3QYAyABKAgitwIKBUFsYXJtEgoKAmlkGAEgASgJEgwKBGNvZGUYAiABKAkSJAoIc2V2ZXJpdHkYAyABKA4yEi5idW1wbGVzcy5TZXZlcml0eRIMCgR0ZXh0GAQgASgJEhEKCXJhaXNlZF9ucxgFIAEoBBITCgtyZXR1cm5lZF9ucxgGIAEoBBIXCg9hY2tub3dsZWRnZWRfbnMYByABKAQSFwoPYWNrbm93bGVkZ2VkX2J5GAggASgJEg0KBWNvdW50GAkgASgNEhgKEHNoZWx2ZWRfdW50aWxfbnMYCiABKAQSLQoHZGV0YWlscxgLIAMoCzIcLmJ1bXBsZXNzLkFsYXJtLkRldGFpbHNFbnRyeRouCgxEZXRhaWxzRW50cnkSCwoDa2V5GAEgASgJEg0KBXZhbHVlGAIgASgJOgI4ASIpCgZBbGFybXMSHwoGYWxhcm1zGAEgAygLMg8uYnVtcGxlc3MuQWxhcm0irgMKDFNlcnZlclN0YXR1cxIPCgd0aW1lX25zGAEgASgEEhIKCnZlaGljbGVfaWQYAiABKAkSIQoEbGluaxgDIAEoDjITLmJ1bXBsZXNzLkxpbmtTdGF0ZRIXCg90ZWxlbWV0cnlfYWdlX3MYBCABKAESEQoJcmVjb3JkaW5nGAUgASgIEhgKEHJlY29yZGluZ19ydW5faWQYBiABKAkSFgoOcmVjb3JkZWRfYnl0ZXMYByABKAQSGAoQcmVjb3JkZXJfZHJvcHBlZBgIIAEoBBIVCg1ub2RlX3Jlc3RhcnRzGAkgASgNEhYKDnN0cmVhbV9jbGllbnRzGAogASgNEhYKDnNlcnZlcl92ZXJzaW9uGAsgASgJEhQKDG5vZGVfbWFuYWdlZBgMIAEoCBIYChByZWNvcmRlcl90cm91YmxlGA0gASgJEigKBnRvcGljcxgOIAMoCzIYLmJ1bXBsZXNzLlRvcGljRnJlc2huZXNzEhYKDmNsb2NrX29mZnNldF9zGA8gASgBEhIKCmJ1c19ub3RpY2UYECABKAkSEQoJc2V0X2FzaWRlGBEgASgEIlEKDlRvcGljRnJlc2huZXNzEg0KBXRvcGljGAEgASgJEg0KBWFnZV9zGAIgASgBEhMKC2ZyZXNoX2Zvcl9zGAMgASgBEgwKBGxhdGUYBCABKAgqUAoETW9kZRIUChBNT0RFX1VOU1BFQ0lGSUVEEAASEAoMTU9ERV9GT1JXQVJEEAESEAoMTU9ERV9SRVZFUlNFEAISDgoKTU9ERV9IT1ZFUhADKrIBCgxNaXNzaW9uUGhhc2USHQoZTUlTU0lPTl9QSEFTRV9VTlNQRUNJRklFRBAAEhYKEk1JU1NJT05fUEhBU0VfSURMRRABEhkKFU1JU1NJT05fUEhBU0VfUlVOTklORxACEhgKFE1JU1NJT05fUEhBU0VfUEFVU0VEEAMSGwoXTUlTU0lPTl9QSEFTRV9DT01QTEVURUQQBBIZChVNSVNTSU9OX1BIQVNFX0FCT1JURUQQBSq1AQoLU29sdmVTdGF0dXMSHAoYU09MVkVfU1RBVFVTX1VOU1BFQ0lGSUVEEAASFwoTU09MVkVfU1RBVFVTX1NPTFZFRBABEh0KGVNPTFZFX1NUQVRVU19CVURHRVRfU1BFTlQQAhIbChdTT0xWRV9TVEFUVVNfSU5GRUFTSUJMRRADEhkKFVNPTFZFX1NUQVRVU19GQUxMQkFDSxAEEhgKFFNPTFZFX1NUQVRVU19SRUZVU0VEEAUqYQoIU2V2ZXJpdHkSGAoUU0VWRVJJVFlfVU5TUEVDSUZJRUQQABIRCg1TRVZFUklUWV9JTkZPEAESFAoQU0VWRVJJVFlfV0FSTklORxACEhIKDlNFVkVSSVRZX0FMQVJNEAMq4gEKDERvY2tpbmdTdGFnZRIdChlET0NLSU5HX1NUQUdFX1VOU1BFQ0lGSUVEEAASGQoVRE9DS0lOR19TVEFHRV9UUkFOU0lUEAESFwoTRE9DS0lOR19TVEFHRV9FTlRSWRACEhoKFkRPQ0tJTkdfU1RBR0VfQVBQUk9BQ0gQAxIWChJET0NLSU5HX1NUQUdFX0JBQ0sQBBIWChJET0NLSU5HX1NUQUdFX0hPTEQQBRIXChNET0NLSU5HX1NUQUdFX0NSRUVQEAYSGgoWRE9DS0lOR19TVEFHRV9DQVBUVVJFRBAHKugCCg1XYXZlT2ZmUmVhc29uEh8KG1dBVkVfT0ZGX1JFQVNPTl9VTlNQRUNJRklFRBAAEh8KG1dBVkVfT0ZGX1JFQVNPTl9UQVJHRVRfTE9TVBABEhwKGFdBVkVfT0ZGX1JFQVNPTl9PRkZfTElORRACEh8KG1dBVkVfT0ZGX1JFQVNPTl9PRkZfSEVBRElORxADEh0KGVdBVkVfT0ZGX1JFQVNPTl9PRkZfREVQVEgQBBIcChhXQVZFX09GRl9SRUFTT05fT1ZFUlNIT1QQBRIhCh1XQVZFX09GRl9SRUFTT05fU1RVQ0tfQVRfR0FURRAGEhwKGFdBVkVfT0ZGX1JFQVNPTl9OT1RfU0VFThAHEhwKGFdBVkVfT0ZGX1JFQVNPTl9UT09fU0xPVxAIEhsKF1dBVkVfT0ZGX1JFQVNPTl9DVVJSRU5UEAkSHQoZV0FWRV9PRkZfUkVBU09OX1RJTUVfT1ZFUhAKKtoBCgxSZWZ1c2FsQ2F1c2USHQoZUkVGVVNBTF9DQVVTRV9VTlNQRUNJRklFRBAAEhYKElJFRlVTQUxfQ0FVU0VfTEFURRABEhYKElJFRlVTQUxfQ0FVU0VfQlVTWRACEhsKF1JFRlVTQUxfQ0FVU0VfT1ZFUlRBS0VOEAMSIAocUkVGVVNBTF9DQVVTRV9TVEFMRV9SRVZJU0lPThAEEhsKF1JFRlVTQUxfQ0FVU0VfTk9fSEVBREVSEAUSHwobUkVGVVNBTF9DQVVTRV9OT1RfQUREUkVTU0VEEAYqsQEKBkVuZGluZxIWChJFTkRJTkdfVU5TUEVDSUZJRUQQABIRCg1FTkRJTkdfRE9DS0VEEAESDwoLRU5ESU5HX0hFTEQQAhIUChBFTkRJTkdfV0FWRURfT0ZGEAMSFAoQRU5ESU5HX1RJTUVfT1ZFUhAEEhIKDkVORElOR19BQk9SVEVEEAUSEwoPRU5ESU5HX0NPTExJREVEEAYSFgoSRU5ESU5HX0lOVEVSUlVQVEVEEAcqfwoJTGlua1N0YXRlEhoKFkxJTktfU1RBVEVfVU5TUEVDSUZJRUQQABIWChJMSU5LX1NUQVRFX1dBSVRJTkcQARITCg9MSU5LX1NUQVRFX0xJVkUQAhIUChBMSU5LX1NUQVRFX1NUQUxFEAMSEwoPTElOS19TVEFURV9MT1NUEARiBnByb3RvMw");
 
 /**
  * @generated from message bumpless.Vector3
@@ -408,6 +408,20 @@ export type Supervisor = Message<"bumpless.Supervisor"> & {
    * @generated from field: double fix_age_s = 21;
    */
   fixAgeS: number;
+
+  /**
+   * the dock's latch has closed
+   *
+   * @generated from field: bool captured = 22;
+   */
+  captured: boolean;
+
+  /**
+   * whose gains and weights count: H while holding station; unspecified at rest
+   *
+   * @generated from field: bumpless.Mode flown = 23;
+   */
+  flown: Mode;
 };
 
 /**
@@ -416,6 +430,123 @@ export type Supervisor = Message<"bumpless.Supervisor"> & {
  */
 export const SupervisorSchema: GenMessage<Supervisor> = /*@__PURE__*/
   messageDesc(file_bumpless, 6);
+
+/**
+ * One condition of a switch, as the vehicle itself weighs it.
+ *
+ * @generated from message bumpless.Guard
+ */
+export type Guard = Message<"bumpless.Guard"> & {
+  /**
+   * for people: "range", "target seen"
+   *
+   * @generated from field: string name = 1;
+   */
+  name: string;
+
+  /**
+   * @generated from field: double value = 2;
+   */
+  value: number;
+
+  /**
+   * @generated from field: double limit = 3;
+   */
+  limit: number;
+
+  /**
+   * met at the limit and above; else at the limit and below
+   *
+   * @generated from field: bool at_least = 4;
+   */
+  atLeast: boolean;
+
+  /**
+   * @generated from field: bool met = 5;
+   */
+  met: boolean;
+
+  /**
+   * "" for counts and for yes or no
+   *
+   * @generated from field: string unit = 6;
+   */
+  unit: string;
+};
+
+/**
+ * Describes the message bumpless.Guard.
+ * Use `create(GuardSchema)` to create a new message.
+ */
+export const GuardSchema: GenMessage<Guard> = /*@__PURE__*/
+  messageDesc(file_bumpless, 7);
+
+/**
+ * One way out of the present mode: taken once all of its conditions are met.
+ *
+ * @generated from message bumpless.ModeExit
+ */
+export type ModeExit = Message<"bumpless.ModeExit"> & {
+  /**
+   * @generated from field: bumpless.Mode to = 1;
+   */
+  to: Mode;
+
+  /**
+   * for people: "target lost"
+   *
+   * @generated from field: string name = 2;
+   */
+  name: string;
+
+  /**
+   * @generated from field: repeated bumpless.Guard guards = 3;
+   */
+  guards: Guard[];
+
+  /**
+   * until it is taken, going on as now; NaN when nobody can tell
+   *
+   * @generated from field: double expected_s = 4;
+   */
+  expectedS: number;
+};
+
+/**
+ * Describes the message bumpless.ModeExit.
+ * Use `create(ModeExitSchema)` to create a new message.
+ */
+export const ModeExitSchema: GenMessage<ModeExit> = /*@__PURE__*/
+  messageDesc(file_bumpless, 8);
+
+/**
+ * topic "exits": what the next switch waits for, at 5 Hz. None where nothing is flown.
+ *
+ * @generated from message bumpless.Exits
+ */
+export type Exits = Message<"bumpless.Exits"> & {
+  /**
+   * @generated from field: bumpless.Stamp stamp = 1;
+   */
+  stamp?: Stamp | undefined;
+
+  /**
+   * @generated from field: bumpless.Mode mode = 2;
+   */
+  mode: Mode;
+
+  /**
+   * @generated from field: repeated bumpless.ModeExit exits = 3;
+   */
+  exits: ModeExit[];
+};
+
+/**
+ * Describes the message bumpless.Exits.
+ * Use `create(ExitsSchema)` to create a new message.
+ */
+export const ExitsSchema: GenMessage<Exits> = /*@__PURE__*/
+  messageDesc(file_bumpless, 9);
 
 /**
  * topic "control": demanded and achieved wrench, each cycle.
@@ -469,7 +600,7 @@ export type Control = Message<"bumpless.Control"> & {
  * Use `create(ControlSchema)` to create a new message.
  */
 export const ControlSchema: GenMessage<Control> = /*@__PURE__*/
-  messageDesc(file_bumpless, 7);
+  messageDesc(file_bumpless, 10);
 
 /**
  * topic "allocation": what the solver did, each cycle.
@@ -539,7 +670,7 @@ export type Allocation = Message<"bumpless.Allocation"> & {
  * Use `create(AllocationSchema)` to create a new message.
  */
 export const AllocationSchema: GenMessage<Allocation> = /*@__PURE__*/
-  messageDesc(file_bumpless, 8);
+  messageDesc(file_bumpless, 11);
 
 /**
  * @generated from message bumpless.Actuator
@@ -639,7 +770,7 @@ export type Actuator = Message<"bumpless.Actuator"> & {
  * Use `create(ActuatorSchema)` to create a new message.
  */
 export const ActuatorSchema: GenMessage<Actuator> = /*@__PURE__*/
-  messageDesc(file_bumpless, 9);
+  messageDesc(file_bumpless, 12);
 
 /**
  * topic "actuators": in the vehicle file's order, each cycle.
@@ -663,7 +794,7 @@ export type Actuators = Message<"bumpless.Actuators"> & {
  * Use `create(ActuatorsSchema)` to create a new message.
  */
 export const ActuatorsSchema: GenMessage<Actuators> = /*@__PURE__*/
-  messageDesc(file_bumpless, 10);
+  messageDesc(file_bumpless, 13);
 
 /**
  * topic "target": the docking target as the vehicle knows it, each cycle.
@@ -725,7 +856,7 @@ export type Target = Message<"bumpless.Target"> & {
  * Use `create(TargetSchema)` to create a new message.
  */
 export const TargetSchema: GenMessage<Target> = /*@__PURE__*/
-  messageDesc(file_bumpless, 11);
+  messageDesc(file_bumpless, 14);
 
 /**
  * topic "mission": at 2 Hz and at each change.
@@ -781,6 +912,13 @@ export type MissionStatus = Message<"bumpless.MissionStatus"> & {
    * @generated from field: string end_reason = 9;
    */
   endReason: string;
+
+  /**
+   * of elapsed_s, spent in pauses
+   *
+   * @generated from field: double held_s = 10;
+   */
+  heldS: number;
 };
 
 /**
@@ -788,7 +926,7 @@ export type MissionStatus = Message<"bumpless.MissionStatus"> & {
  * Use `create(MissionStatusSchema)` to create a new message.
  */
 export const MissionStatusSchema: GenMessage<MissionStatus> = /*@__PURE__*/
-  messageDesc(file_bumpless, 12);
+  messageDesc(file_bumpless, 15);
 
 /**
  * topic "plan": the mission text as received, every 2 s while one is loaded and at each change.
@@ -827,7 +965,7 @@ export type Plan = Message<"bumpless.Plan"> & {
  * Use `create(PlanSchema)` to create a new message.
  */
 export const PlanSchema: GenMessage<Plan> = /*@__PURE__*/
-  messageDesc(file_bumpless, 13);
+  messageDesc(file_bumpless, 16);
 
 /**
  * @generated from message bumpless.ModeParameters
@@ -865,7 +1003,7 @@ export type ModeParameters = Message<"bumpless.ModeParameters"> & {
  * Use `create(ModeParametersSchema)` to create a new message.
  */
 export const ModeParametersSchema: GenMessage<ModeParameters> = /*@__PURE__*/
-  messageDesc(file_bumpless, 14);
+  messageDesc(file_bumpless, 17);
 
 /**
  * @generated from message bumpless.SupervisorParameters
@@ -930,7 +1068,7 @@ export type SupervisorParameters = Message<"bumpless.SupervisorParameters"> & {
  * Use `create(SupervisorParametersSchema)` to create a new message.
  */
 export const SupervisorParametersSchema: GenMessage<SupervisorParameters> = /*@__PURE__*/
-  messageDesc(file_bumpless, 15);
+  messageDesc(file_bumpless, 18);
 
 /**
  * @generated from message bumpless.BumplessParameters
@@ -957,7 +1095,7 @@ export type BumplessParameters = Message<"bumpless.BumplessParameters"> & {
  * Use `create(BumplessParametersSchema)` to create a new message.
  */
 export const BumplessParametersSchema: GenMessage<BumplessParameters> = /*@__PURE__*/
-  messageDesc(file_bumpless, 16);
+  messageDesc(file_bumpless, 19);
 
 /**
  * What can be tuned live. Request of "set_parameters" and part of ParametersStatus.
@@ -996,7 +1134,7 @@ export type Parameters = Message<"bumpless.Parameters"> & {
  * Use `create(ParametersSchema)` to create a new message.
  */
 export const ParametersSchema: GenMessage<Parameters> = /*@__PURE__*/
-  messageDesc(file_bumpless, 17);
+  messageDesc(file_bumpless, 20);
 
 /**
  * topic "parameters": what the vehicle flies with now; at 1 Hz and at each change.
@@ -1046,7 +1184,7 @@ export type ParametersStatus = Message<"bumpless.ParametersStatus"> & {
  * Use `create(ParametersStatusSchema)` to create a new message.
  */
 export const ParametersStatusSchema: GenMessage<ParametersStatus> = /*@__PURE__*/
-  messageDesc(file_bumpless, 18);
+  messageDesc(file_bumpless, 21);
 
 /**
  * topic "description": who this is; every 2 s.
@@ -1109,7 +1247,7 @@ export type VehicleDescription = Message<"bumpless.VehicleDescription"> & {
  * Use `create(VehicleDescriptionSchema)` to create a new message.
  */
 export const VehicleDescriptionSchema: GenMessage<VehicleDescription> = /*@__PURE__*/
-  messageDesc(file_bumpless, 19);
+  messageDesc(file_bumpless, 22);
 
 /**
  * topic "health": at 1 Hz.
@@ -1182,7 +1320,7 @@ export type Health = Message<"bumpless.Health"> & {
  * Use `create(HealthSchema)` to create a new message.
  */
 export const HealthSchema: GenMessage<Health> = /*@__PURE__*/
-  messageDesc(file_bumpless, 20);
+  messageDesc(file_bumpless, 23);
 
 /**
  * bumpless/<vehicle>/event
@@ -1225,7 +1363,7 @@ export type Event = Message<"bumpless.Event"> & {
  * Use `create(EventSchema)` to create a new message.
  */
 export const EventSchema: GenMessage<Event> = /*@__PURE__*/
-  messageDesc(file_bumpless, 21);
+  messageDesc(file_bumpless, 24);
 
 /**
  * ---- ground truth, bumpless/<vehicle>/truth/state: simulated vehicles only ----------
@@ -1281,6 +1419,34 @@ export type TruthState = Message<"bumpless.TruthState"> & {
    * @generated from field: bumpless.Vector3 target_position_ned_m = 9;
    */
   targetPositionNedM?: Vector3 | undefined;
+
+  /**
+   * of a dock to enter on the hull: largest since the cycle before
+   *
+   * @generated from field: double contact_force_n = 10;
+   */
+  contactForceN: number;
+
+  /**
+   * what dock and hull bear; 0 where there is no dock to enter
+   *
+   * @generated from field: double contact_force_most_n = 11;
+   */
+  contactForceMostN: number;
+
+  /**
+   * of the nose behind the dock's entry
+   *
+   * @generated from field: double nose_depth_m = 12;
+   */
+  noseDepthM: number;
+
+  /**
+   * of the nose from the dock's axis
+   *
+   * @generated from field: double nose_offset_m = 13;
+   */
+  noseOffsetM: number;
 };
 
 /**
@@ -1288,7 +1454,7 @@ export type TruthState = Message<"bumpless.TruthState"> & {
  * Use `create(TruthStateSchema)` to create a new message.
  */
 export const TruthStateSchema: GenMessage<TruthState> = /*@__PURE__*/
-  messageDesc(file_bumpless, 22);
+  messageDesc(file_bumpless, 25);
 
 /**
  * ---- commands, bumpless/<vehicle>/cmd/<verb>: queryables answering CommandReply ------
@@ -1326,7 +1492,7 @@ export type StartMission = Message<"bumpless.StartMission"> & {
  * Use `create(StartMissionSchema)` to create a new message.
  */
 export const StartMissionSchema: GenMessage<StartMission> = /*@__PURE__*/
-  messageDesc(file_bumpless, 23);
+  messageDesc(file_bumpless, 26);
 
 /**
  * Goes with every request, as the query's attachment. A vehicle carries out a request before it expires or not at
@@ -1376,7 +1542,7 @@ export type RequestHeader = Message<"bumpless.RequestHeader"> & {
  * Use `create(RequestHeaderSchema)` to create a new message.
  */
 export const RequestHeaderSchema: GenMessage<RequestHeader> = /*@__PURE__*/
-  messageDesc(file_bumpless, 24);
+  messageDesc(file_bumpless, 27);
 
 /**
  * @generated from message bumpless.Empty
@@ -1389,7 +1555,7 @@ export type Empty = Message<"bumpless.Empty"> & {
  * Use `create(EmptySchema)` to create a new message.
  */
 export const EmptySchema: GenMessage<Empty> = /*@__PURE__*/
-  messageDesc(file_bumpless, 25);
+  messageDesc(file_bumpless, 28);
 
 /**
  * @generated from message bumpless.CommandReply
@@ -1444,7 +1610,7 @@ export type CommandReply = Message<"bumpless.CommandReply"> & {
  * Use `create(CommandReplySchema)` to create a new message.
  */
 export const CommandReplySchema: GenMessage<CommandReply> = /*@__PURE__*/
-  messageDesc(file_bumpless, 26);
+  messageDesc(file_bumpless, 29);
 
 /**
  * One fault of a file or a request.
@@ -1494,7 +1660,7 @@ export type Problem = Message<"bumpless.Problem"> & {
  * Use `create(ProblemSchema)` to create a new message.
  */
 export const ProblemSchema: GenMessage<Problem> = /*@__PURE__*/
-  messageDesc(file_bumpless, 27);
+  messageDesc(file_bumpless, 30);
 
 /**
  * ---- metrics of a run ---------------------------------------------------------------
@@ -1584,7 +1750,7 @@ export type SwitchMetrics = Message<"bumpless.SwitchMetrics"> & {
  * Use `create(SwitchMetricsSchema)` to create a new message.
  */
 export const SwitchMetricsSchema: GenMessage<SwitchMetrics> = /*@__PURE__*/
-  messageDesc(file_bumpless, 28);
+  messageDesc(file_bumpless, 31);
 
 /**
  * @generated from message bumpless.ModeMetrics
@@ -1695,7 +1861,7 @@ export type ModeMetrics = Message<"bumpless.ModeMetrics"> & {
  * Use `create(ModeMetricsSchema)` to create a new message.
  */
 export const ModeMetricsSchema: GenMessage<ModeMetrics> = /*@__PURE__*/
-  messageDesc(file_bumpless, 29);
+  messageDesc(file_bumpless, 32);
 
 /**
  * Where the vehicle was against the observation point and the approach heading.
@@ -1744,7 +1910,7 @@ export type EndErrors = Message<"bumpless.EndErrors"> & {
  * Use `create(EndErrorsSchema)` to create a new message.
  */
 export const EndErrorsSchema: GenMessage<EndErrors> = /*@__PURE__*/
-  messageDesc(file_bumpless, 30);
+  messageDesc(file_bumpless, 33);
 
 /**
  * @generated from message bumpless.Outcome
@@ -1822,7 +1988,59 @@ export type Outcome = Message<"bumpless.Outcome"> & {
  * Use `create(OutcomeSchema)` to create a new message.
  */
 export const OutcomeSchema: GenMessage<Outcome> = /*@__PURE__*/
-  messageDesc(file_bumpless, 31);
+  messageDesc(file_bumpless, 34);
+
+/**
+ * @generated from message bumpless.CaptureMetrics
+ */
+export type CaptureMetrics = Message<"bumpless.CaptureMetrics"> & {
+  /**
+   * @generated from field: bool captured = 1;
+   */
+  captured: boolean;
+
+  /**
+   * mission time of the capture; NaN when there was none
+   *
+   * @generated from field: double time_s = 2;
+   */
+  timeS: number;
+
+  /**
+   * from the nose in the entry to the capture; NaN when there was none
+   *
+   * @generated from field: double seat_time_s = 3;
+   */
+  seatTimeS: number;
+
+  /**
+   * largest sum of normal forces
+   *
+   * @generated from field: double force_max_n = 4;
+   */
+  forceMaxN: number;
+
+  /**
+   * what dock and hull bear
+   *
+   * @generated from field: double force_most_n = 5;
+   */
+  forceMostN: number;
+
+  /**
+   * of the nose from the axis when it last came in; NaN when it never did
+   *
+   * @generated from field: double entry_offset_m = 6;
+   */
+  entryOffsetM: number;
+};
+
+/**
+ * Describes the message bumpless.CaptureMetrics.
+ * Use `create(CaptureMetricsSchema)` to create a new message.
+ */
+export const CaptureMetricsSchema: GenMessage<CaptureMetrics> = /*@__PURE__*/
+  messageDesc(file_bumpless, 35);
 
 /**
  * @generated from message bumpless.Metrics
@@ -1976,6 +2194,13 @@ export type Metrics = Message<"bumpless.Metrics"> & {
    * @generated from field: uint32 screw_reversals = 25;
    */
   screwReversals: number;
+
+  /**
+   * absent where there is no dock to enter
+   *
+   * @generated from field: bumpless.CaptureMetrics capture = 26;
+   */
+  capture?: CaptureMetrics | undefined;
 };
 
 /**
@@ -1983,7 +2208,7 @@ export type Metrics = Message<"bumpless.Metrics"> & {
  * Use `create(MetricsSchema)` to create a new message.
  */
 export const MetricsSchema: GenMessage<Metrics> = /*@__PURE__*/
-  messageDesc(file_bumpless, 32);
+  messageDesc(file_bumpless, 36);
 
 /**
  * ---- server to browser --------------------------------------------------------------
@@ -2023,7 +2248,7 @@ export type StreamMessage = Message<"bumpless.StreamMessage"> & {
  * Use `create(StreamMessageSchema)` to create a new message.
  */
 export const StreamMessageSchema: GenMessage<StreamMessage> = /*@__PURE__*/
-  messageDesc(file_bumpless, 33);
+  messageDesc(file_bumpless, 37);
 
 /**
  * One binary WebSocket message: the newest of each topic since the last frame, all events.
@@ -2054,7 +2279,109 @@ export type StreamFrame = Message<"bumpless.StreamFrame"> & {
  * Use `create(StreamFrameSchema)` to create a new message.
  */
 export const StreamFrameSchema: GenMessage<StreamFrame> = /*@__PURE__*/
-  messageDesc(file_bumpless, 34);
+  messageDesc(file_bumpless, 38);
+
+/**
+ * What a person must know of, from when it was raised until it has both gone and been seen.
+ *
+ * @generated from message bumpless.Alarm
+ */
+export type Alarm = Message<"bumpless.Alarm"> & {
+  /**
+   * @generated from field: string id = 1;
+   */
+  id: string;
+
+  /**
+   * stable identifier, e.g. "tracking_depth"
+   *
+   * @generated from field: string code = 2;
+   */
+  code: string;
+
+  /**
+   * @generated from field: bumpless.Severity severity = 3;
+   */
+  severity: Severity;
+
+  /**
+   * one sentence with the likely cause
+   *
+   * @generated from field: string text = 4;
+   */
+  text: string;
+
+  /**
+   * UNIX time at the server
+   *
+   * @generated from field: uint64 raised_ns = 5;
+   */
+  raisedNs: bigint;
+
+  /**
+   * when its cause was last seen gone; 0 while it holds
+   *
+   * @generated from field: uint64 returned_ns = 6;
+   */
+  returnedNs: bigint;
+
+  /**
+   * 0 while nobody has seen it
+   *
+   * @generated from field: uint64 acknowledged_ns = 7;
+   */
+  acknowledgedNs: bigint;
+
+  /**
+   * @generated from field: string acknowledged_by = 8;
+   */
+  acknowledgedBy: string;
+
+  /**
+   * how often it was raised before it was cleared
+   *
+   * @generated from field: uint32 count = 9;
+   */
+  count: number;
+
+  /**
+   * 0: not shelved
+   *
+   * @generated from field: uint64 shelved_until_ns = 10;
+   */
+  shelvedUntilNs: bigint;
+
+  /**
+   * @generated from field: map<string, string> details = 11;
+   */
+  details: { [key: string]: string };
+};
+
+/**
+ * Describes the message bumpless.Alarm.
+ * Use `create(AlarmSchema)` to create a new message.
+ */
+export const AlarmSchema: GenMessage<Alarm> = /*@__PURE__*/
+  messageDesc(file_bumpless, 39);
+
+/**
+ * topic "server/alarms": every alarm that is not over, worst first; at each change.
+ *
+ * @generated from message bumpless.Alarms
+ */
+export type Alarms = Message<"bumpless.Alarms"> & {
+  /**
+   * @generated from field: repeated bumpless.Alarm alarms = 1;
+   */
+  alarms: Alarm[];
+};
+
+/**
+ * Describes the message bumpless.Alarms.
+ * Use `create(AlarmsSchema)` to create a new message.
+ */
+export const AlarmsSchema: GenMessage<Alarms> = /*@__PURE__*/
+  messageDesc(file_bumpless, 40);
 
 /**
  * @generated from message bumpless.ServerStatus
@@ -2163,7 +2490,7 @@ export type ServerStatus = Message<"bumpless.ServerStatus"> & {
  * Use `create(ServerStatusSchema)` to create a new message.
  */
 export const ServerStatusSchema: GenMessage<ServerStatus> = /*@__PURE__*/
-  messageDesc(file_bumpless, 35);
+  messageDesc(file_bumpless, 41);
 
 /**
  * How old the last message of one topic is.
@@ -2205,7 +2532,7 @@ export type TopicFreshness = Message<"bumpless.TopicFreshness"> & {
  * Use `create(TopicFreshnessSchema)` to create a new message.
  */
 export const TopicFreshnessSchema: GenMessage<TopicFreshness> = /*@__PURE__*/
-  messageDesc(file_bumpless, 36);
+  messageDesc(file_bumpless, 42);
 
 /**
  * @generated from enum bumpless.Mode
@@ -2273,11 +2600,15 @@ export enum MissionPhase {
   PAUSED = 3,
 
   /**
+   * holds station until told otherwise
+   *
    * @generated from enum value: MISSION_PHASE_COMPLETED = 4;
    */
   COMPLETED = 4,
 
   /**
+   * all actuators stopped: drifts
+   *
    * @generated from enum value: MISSION_PHASE_ABORTED = 5;
    */
   ABORTED = 5,
@@ -2416,6 +2747,20 @@ export enum DockingStage {
    * @generated from enum value: DOCKING_STAGE_HOLD = 5;
    */
   HOLD = 5,
+
+  /**
+   * along the dock's axis into it
+   *
+   * @generated from enum value: DOCKING_STAGE_CREEP = 6;
+   */
+  CREEP = 6,
+
+  /**
+   * latched in the dock, actuators at rest
+   *
+   * @generated from enum value: DOCKING_STAGE_CAPTURED = 7;
+   */
+  CAPTURED = 7,
 }
 
 /**

@@ -6,6 +6,11 @@ export const VIEWS = [
     "about": "What the vehicle does now: scene, mode, plots, wrench, actuators, events."
   },
   {
+    "id": "plan",
+    "name": "Plan",
+    "about": "A mission drawn and flown ahead: what will happen, with what chance, and what to mend."
+  },
+  {
     "id": "missions",
     "name": "Missions",
     "about": "Mission files: what they are for, their plan and text, upload and start."
@@ -53,10 +58,12 @@ export const FRESH_FOR_S = {
   "tlm/allocation": 0.5,
   "tlm/actuators": 0.5,
   "tlm/target": 0.5,
+  "tlm/exits": 0.5,
   "tlm/mission": 1.25,
   "tlm/plan": 5.0,
   "tlm/parameters": 2.5,
   "tlm/description": 5.0,
   "tlm/health": 2.5,
-  "server/status": 1.25
+  "server/status": 1.25,
+  "server/alarms": 1000000000.0
 } as const;

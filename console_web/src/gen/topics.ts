@@ -8,10 +8,12 @@ export const SCHEMAS = {
   "tlm/allocation": pb.AllocationSchema,
   "tlm/actuators": pb.ActuatorsSchema,
   "tlm/target": pb.TargetSchema,
+  "tlm/exits": pb.ExitsSchema,
   "tlm/mission": pb.MissionStatusSchema,
   "tlm/plan": pb.PlanSchema,
   "tlm/parameters": pb.ParametersStatusSchema,
   "tlm/description": pb.VehicleDescriptionSchema,
   "tlm/health": pb.HealthSchema,
   "server/status": pb.ServerStatusSchema,
+  "server/alarms": pb.AlarmsSchema,
 };

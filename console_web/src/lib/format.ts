@@ -1,5 +1,7 @@
 // Numbers as an operator reads them: fixed decimals, a true minus sign, a dash for nothing.
 
+import { day, timeOfDay, type Zone, zone, zoneName } from "./zone";
+
 export const NONE = "–";
 
 export function fixed(value: number | null | undefined, decimals: number): string {
@@ -55,12 +57,10 @@ export function age(seconds: number | undefined): string {
   return seconds < 100 ? `${seconds.toFixed(1)} s` : clock(seconds);
 }
 
-/** Local date and time of an ISO string or UNIX seconds. */
-export function dateTime(value: string | number | undefined): string {
+/** Date, time and zone of an ISO string or UNIX seconds. */
+export function dateTime(value: string | number | undefined, of: Zone = zone.value): string {
   if (value === undefined || value === "") return NONE;
   const date = new Date(typeof value === "number" ? value * 1000 : value);
   if (Number.isNaN(date.getTime())) return String(value);
-  const two = (n: number): string => String(n).padStart(2, "0");
-  const day = `${date.getFullYear()}-${two(date.getMonth() + 1)}-${two(date.getDate())}`;
-  return `${day} ${two(date.getHours())}:${two(date.getMinutes())}:${two(date.getSeconds())}`;
+  return `${day(date, of)} ${timeOfDay(date, of)} ${zoneName(date, of)}`;
 }

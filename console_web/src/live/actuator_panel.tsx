@@ -2,7 +2,7 @@
 // Saturation and rate limit have a shape of their own beside the colour.
 import type { Actuator } from "../gen/bumpless_pb";
 import { fixed } from "../lib/format";
-import { live } from "../stream/store";
+import { screen } from "../stream/screen";
 import { DiamondIcon, TriangleIcon } from "../ui/icons";
 import { Empty, Panel } from "../ui/panel";
 import "./actuator_panel.css";
@@ -29,7 +29,7 @@ function Legend() {
 }
 
 function Rows() {
-  const actuators = live.latest("tlm/actuators")?.actuators ?? [];
+  const actuators = screen.latest("tlm/actuators")?.actuators ?? [];
   if (!actuators.length) return <Empty>Actuators appear with the first telemetry.</Empty>;
   return (
     <ul class="actuators">

@@ -2,9 +2,7 @@
 import { MissionPhase, SolveStatus } from "../gen/bumpless_pb";
 import { compact, fixed } from "../lib/format";
 import { colour } from "../lib/theme";
-import { history } from "../stream/history";
-import { phase } from "../stream/link";
-import { live } from "../stream/store";
+import { inForce, screen, shownPhase } from "../stream/screen";
 import { Canvas } from "../ui/canvas";
 import { AlarmIcon, CheckIcon, HollowIcon, WarningIcon } from "../ui/icons";
 import { Empty, Panel } from "../ui/panel";
@@ -54,17 +52,18 @@ export function AllocationPanel() {
 }
 
 function Status() {
-  const allocation = live.latest("tlm/allocation");
+  const allocation = screen.latest("tlm/allocation");
   if (!allocation) return null;
-  if (phase.value === MissionPhase.IDLE) {
+  if (!inForce.value) {
+    const aborted = shownPhase.value === MissionPhase.ABORTED;
     return (
-      <span class="chip" data-look="off" title="Nothing is allocated before a mission">
-        <HollowIcon size={11} /> Idle
+      <span class="chip" data-look="off" title="Nothing is allocated: no control is in force">
+        <HollowIcon size={11} /> {aborted ? "Stopped" : "Idle"}
       </span>
     );
   }
   const { name, look, about, Icon } = STATUS[allocation.status];
-  const state = live.isFresh("tlm/allocation") ? "fresh" : "stale";
+  const state = screen.isFresh("tlm/allocation") ? "fresh" : "stale";
   return (
     <span class="chip" data-look={look} data-state={state} title={about}>
       <Icon /> {name}
@@ -73,7 +72,8 @@ function Status() {
 }
 
 function Figures() {
-  const a = live.latest("tlm/allocation");
+  const a = screen.latest("tlm/allocation");
+  if (a && !inForce.value) return <Empty>Nothing is allocated: no control is in force.</Empty>;
   if (!a) return <Empty>The allocator reports with the first telemetry.</Empty>;
   return (
     <div class="figures">
@@ -131,20 +131,21 @@ function Figure({ name, value, unit, column, about }: FigureProps) {
 }
 
 function spark(g: CanvasRenderingContext2D, width: number, height: number, name: string): void {
-  const column = history.column(name);
+  const column = screen.history.column(name);
   const [from, to] = shown();
   if (!column || !Number.isFinite(to)) return;
-  const first = history.firstIndex(from);
+  const first = screen.history.firstIndex(from);
+  const end = screen.history.firstIndex(to + 1e-6);
   let top = 0;
-  for (let i = first; i < history.length; i++) top = Math.max(top, column[i] || 0);
+  for (let i = first; i < end; i++) top = Math.max(top, column[i] || 0);
   if (top <= 0) return;
   g.strokeStyle = colour("--trace");
   g.lineWidth = 1;
   g.beginPath();
-  for (let i = first; i < history.length; i++) {
+  for (let i = first; i < end; i++) {
     const value = column[i] as number;
     if (Number.isNaN(value)) continue;
-    const x = (((history.time[i] as number) - from) / (to - from)) * width;
+    const x = (((screen.history.time[i] as number) - from) / (to - from)) * width;
     g.lineTo(x, height - 1 - (value / top) * (height - 2));
   }
   g.stroke();

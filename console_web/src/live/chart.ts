@@ -3,8 +3,7 @@ import { effect } from "@preact/signals";
 import uPlot from "uplot";
 import { fixed, headingOf } from "../lib/format";
 import { colour, font, theme, typeSize } from "../lib/theme";
-import { history } from "../stream/history";
-import { live } from "../stream/store";
+import { screen } from "../stream/screen";
 import { letter, shade } from "./mode_ground";
 import type { PlotSpec } from "./plots";
 import { shown, ticks, timeLabel, window_s } from "./time_axis";
@@ -23,7 +22,7 @@ export function chart(
     plot = new uPlot(options(spec, axis, box.clientWidth, box.clientHeight), dataOf(spec), box);
   });
   const stopFeeding = effect(() => {
-    void [live.now.value, window_s.value];
+    void [screen.tick, window_s.value];
     if (!plot || !box.clientHeight) return;
     plot.setData(dataOf(spec));
     if (values) showValues(values, spec, plot);
@@ -43,16 +42,17 @@ export function chart(
 
 /** The rows in the window, and the one before it so that lines enter from the edge. */
 function dataOf(spec: PlotSpec): uPlot.AlignedData {
-  const first = Math.max(0, history.firstIndex(shown()[0]) - 1);
-  const rows = history.length - first;
+  const [from, to] = shown();
+  const first = Math.max(0, screen.history.firstIndex(from) - 1);
+  const rows = Math.max(0, screen.history.firstIndex(to + 1e-6) - first);
   const lines = spec.traces.map(({ column }) => {
-    const values = history.column(column);
+    const values = screen.history.column(column);
     return Array.from({ length: rows }, (_, i) => {
       const value = values?.[first + i];
       return value === undefined || Number.isNaN(value) ? null : value;
     });
   });
-  return [history.time.slice(first, history.length), ...lines];
+  return [screen.history.time.slice(first, first + rows), ...lines];
 }
 
 /** Values under the cursor, else the newest. */
@@ -88,7 +88,7 @@ function options(spec: PlotSpec, axis: boolean, width: number, height: number): 
         gap: 2,
         space: 5 * em,
         splits: (plot) => timeSplits(plot),
-        values: (_, times) => times.map((time) => timeLabel(time, history.last())),
+        values: (_, times) => times.map((time) => timeLabel(time, screen.until)),
       },
       {
         ...common,

@@ -2,7 +2,8 @@
 import { useSignal } from "@preact/signals";
 import { type Event, Severity } from "../gen/bumpless_pb";
 import { clock } from "../lib/format";
-import { live } from "../stream/store";
+import { timeOfDay, zoneName } from "../lib/zone";
+import { screen } from "../stream/screen";
 import { AlarmIcon, InfoIcon, WarningIcon } from "../ui/icons";
 import { Empty, Panel } from "../ui/panel";
 import { Segments } from "../ui/segments";
@@ -44,11 +45,11 @@ export function EventPanel() {
 }
 
 function List({ least }: { least: Severity }) {
-  const events = live.events.filter((event) => event.severity >= least).slice(0, SHOWN);
+  const events = screen.events.filter((event) => event.severity >= least).slice(0, SHOWN);
   if (!events.length) {
     return (
       <Empty>
-        {live.events.length
+        {screen.events.length
           ? "Nothing of this severity."
           : "Mode switches, warnings and commands are noted here."}
       </Empty>
@@ -84,5 +85,6 @@ function Row({ event }: { event: Event }) {
 function when(event: Event): string {
   if (event.stamp && event.stamp.missionTimeS > 0) return `T+${clock(event.stamp.missionTimeS)}`;
   if (!event.stamp?.timeNs) return "";
-  return new Date(Number(event.stamp.timeNs / 1_000_000n)).toTimeString().slice(0, 8);
+  const at = new Date(Number(event.stamp.timeNs / 1_000_000n));
+  return `${timeOfDay(at)} ${zoneName(at)}`;
 }

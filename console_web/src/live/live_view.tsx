@@ -1,5 +1,7 @@
 // The live view: scene and mode at the left, plots in the middle, forces and actuators at the right.
 // Only the scene stays in the page while another view is shown.
+import { replay } from "../replay/current";
+import { TrackMap } from "../replay/track_map";
 import { Main } from "../ui/main";
 import { ActuatorPanel } from "./actuator_panel";
 import { AllocationPanel } from "./allocation_panel";
@@ -12,10 +14,12 @@ import { StatePanel } from "./state_panel";
 import { WrenchPanel } from "./wrench_panel";
 
 export function LiveView({ hidden }: { hidden: boolean }) {
+  const run = hidden ? undefined : replay.value;
   return (
-    <Main name="Live view" class="live" hidden={hidden}>
+    <Main name={run ? "Replay" : "Live view"} class="live" hidden={hidden}>
       <div class="live-left">
-        <Scene />
+        <Scene hidden={run !== undefined} />
+        {run && <TrackMap />}
         {!hidden && <ModePanel />}
       </div>
       {!hidden && (

@@ -1,11 +1,14 @@
 // Which mode, why, and what it waits for: the supervisor's state in one panel.
+
+import { MissionPhase, Mode, type Supervisor } from "../gen/bumpless_pb";
 import { fixed } from "../lib/format";
 import { modeLook } from "../lib/modes";
-import { flying as flyingNow, PHASES, phase } from "../stream/link";
-import { live } from "../stream/store";
+import { PHASES } from "../stream/phase";
+import { inForce, screen, shownMode, shownPhase } from "../stream/screen";
 import { HollowIcon, RecordIcon } from "../ui/icons";
 import { ModeBadge } from "../ui/mode_mark";
 import { Empty, Panel } from "../ui/panel";
+import { DockingLine } from "./docking_line";
 import { ModeStrip } from "./mode_strip";
 import { RangeGauge } from "./range_gauge";
 import { WINDOWS_S, window_s } from "./time_axis";
@@ -38,13 +41,33 @@ function WindowChoice() {
   );
 }
 
+/** Beside the mode: how long, what a ramp comes from, or why the mode is not the supervisor's. */
+function whatItDoes(supervisor: Supervisor, settled: boolean): string {
+  const phase = shownPhase.value;
+  if (phase === MissionPhase.ABORTED) return "actuators stopped: drifting";
+  if (!inForce.value) return `mission ${PHASES[phase].toLowerCase()}`;
+  const ramp = settled ? "" : ` · ${rampWords()}`;
+  if (phase === MissionPhase.PAUSED) {
+    return `holding station; mission waits in ${modeLook(supervisor.mode).letter}${ramp}`;
+  }
+  if (phase === MissionPhase.COMPLETED) return `mission over; holding station${ramp}`;
+  return `${fixed(supervisor.timeInModeS, 1)} s${ramp || " in mode"}`;
+}
+
+/** What the ramp blends from; a page that came during it cannot know. */
+function rampWords(): string {
+  const from = screen.history.rampFrom;
+  if (from === Mode.UNSPECIFIED) return "in transition";
+  return from === shownMode.value ? "new settings" : `from ${modeLook(from).letter}`;
+}
+
 function Content() {
-  const supervisor = live.latest("tlm/supervisor");
+  const supervisor = screen.latest("tlm/supervisor");
   if (!supervisor)
     return <Empty>The supervisor's mode, range and detection appear with the first telemetry.</Empty>;
-  const flying = flyingNow.value;
-  const mode = modeLook(flying ? supervisor.mode : undefined);
-  const before = modeLook(supervisor.previousMode);
+  const controlled = inForce.value;
+  const mode = modeLook(controlled ? shownMode.value : undefined);
+  const running = shownPhase.value === MissionPhase.RUNNING;
   const settled = supervisor.kappa >= 1;
   return (
     <>
@@ -52,31 +75,27 @@ function Content() {
         <ModeBadge mode={mode} />
         <div class="mode-name">
           <strong>{mode.name}</strong>
-          <span class="muted num">
-            {flying
-              ? `${fixed(supervisor.timeInModeS, 1)} s`
-              : `mission ${PHASES[phase.value].toLowerCase()}`}
-            {flying && (settled || before.letter === mode.letter ? " in mode" : ` · from ${before.letter}`)}
-          </span>
+          <span class="muted num">{whatItDoes(supervisor, settled)}</span>
         </div>
         <Ramp
           label="κ"
           unit=""
-          value={flying ? supervisor.kappa : NaN}
-          share={flying ? supervisor.kappa : 0}
+          value={controlled ? supervisor.kappa : NaN}
+          share={controlled ? supervisor.kappa : 0}
           decimals={2}
           about="Transition factor: 1 when the blend into this mode is over"
         />
-        <Dwell remaining={flying ? supervisor.dwellRemainingS : NaN} inMode={supervisor.timeInModeS} />
+        <Dwell remaining={running ? supervisor.dwellRemainingS : NaN} inMode={supervisor.timeInModeS} />
         <div class="lamps" role="group" aria-label="Detection of the target">
-          <Lamp name="Raw" on={supervisor.detectionRaw} about="Target seen in this cycle" />
+          <Lamp name="Raw" on={controlled && supervisor.detectionRaw} about="Target seen in this cycle" />
           <Lamp
             name="Filtered"
-            on={supervisor.detection}
+            on={controlled && supervisor.detection}
             about="After the M-of-N filter and hold: what the supervisor uses"
           />
         </div>
       </div>
+      <DockingLine supervisor={supervisor} />
       <RangeGauge supervisor={supervisor} />
       <ModeStrip />
     </>

@@ -3,7 +3,7 @@
 import { Mode } from "../gen/bumpless_pb";
 import { modeLook } from "../lib/modes";
 import { colour, font, typeSize } from "../lib/theme";
-import { history } from "../stream/history";
+import { screen } from "../stream/screen";
 import { Canvas } from "../ui/canvas";
 import { shown, spans, ticks, timeLabel } from "./time_axis";
 
@@ -41,22 +41,30 @@ function paint(g: CanvasRenderingContext2D, width: number, height: number): void
       g.fillText(right - left > 90 ? `${look.letter}  ${look.name}` : look.letter, left + 5, lane / 2 + 0.5);
     }
   }
-  paintRamp(g, x, from, lane);
-  paintDetection(g, x, from, "detection_raw", lane + 2);
-  paintDetection(g, x, from, "detection", lane + 2 + lamps / 2 - 0.5);
+  paintRamp(g, x, from, to, lane);
+  paintDetection(g, x, from, to, "detection_raw", lane + 2);
+  paintDetection(g, x, from, to, "detection", lane + 2 + lamps / 2 - 0.5);
   paintAxis(g, x, from, to, height);
 }
 
 /** While kappa < 1 the lane shows it as a dark wedge that shrinks to nothing. */
-function paintRamp(g: CanvasRenderingContext2D, x: (t: number) => number, from: number, lane: number): void {
-  const kappa = history.column("kappa");
+function paintRamp(
+  g: CanvasRenderingContext2D,
+  x: (t: number) => number,
+  from: number,
+  to: number,
+  lane: number,
+): void {
+  const kappa = screen.history.column("kappa");
   if (!kappa) return;
   g.fillStyle = colour("--shade");
-  for (let i = Math.max(1, history.firstIndex(from)); i < history.length; i++) {
+  const end = screen.history.firstIndex(to + 1e-6);
+  for (let i = Math.max(1, screen.history.firstIndex(from)); i < end; i++) {
     const value = kappa[i] as number;
     if (!(value < 1)) continue;
-    const left = x(history.time[i - 1] as number);
-    g.fillRect(left, 0, Math.max(0.6, x(history.time[i] as number) - left), lane * (1 - value));
+    const right = x(screen.history.time[i] as number);
+    const left = x((screen.history.time[i] as number) - screen.history.stretch(i));
+    g.fillRect(left, 0, Math.max(0.6, right - left), lane * (1 - value));
   }
 }
 
@@ -64,16 +72,19 @@ function paintDetection(
   g: CanvasRenderingContext2D,
   x: (t: number) => number,
   from: number,
+  to: number,
   name: string,
   top: number,
 ): void {
-  const column = history.column(name);
+  const column = screen.history.column(name);
   if (!column) return;
   g.fillStyle = colour(name === "detection" ? "--ink" : "--ink-2");
-  for (let i = Math.max(1, history.firstIndex(from)); i < history.length; i++) {
+  const end = screen.history.firstIndex(to + 1e-6);
+  for (let i = Math.max(1, screen.history.firstIndex(from)); i < end; i++) {
     if (!column[i]) continue;
-    const left = x(history.time[i - 1] as number);
-    g.fillRect(left, top, Math.max(0.6, x(history.time[i] as number) - left), 3);
+    const right = x(screen.history.time[i] as number);
+    const left = x((screen.history.time[i] as number) - screen.history.stretch(i));
+    g.fillRect(left, top, Math.max(0.6, right - left), 3);
   }
 }
 

@@ -1,7 +1,7 @@
 // The plots: one group at a time, all on the same time window and cursor.
 import { useSignal } from "@preact/signals";
 import "uplot/dist/uPlot.min.css";
-import { live } from "../stream/store";
+import { screen } from "../stream/screen";
 import { Empty, Panel } from "../ui/panel";
 import { Segments } from "../ui/segments";
 import { Plot } from "./plot";
@@ -30,7 +30,7 @@ export function PlotPanel() {
 }
 
 function Plots({ group }: { group: Group }) {
-  if (!live.latest("tlm/navigation")) return <Empty>Plots begin with the first telemetry.</Empty>;
+  if (!screen.latest("tlm/navigation")) return <Empty>Plots begin with the first telemetry.</Empty>;
   const specs = specsOf(group);
   return (
     <div class="plots" data-many={specs.length > 4 ? "yes" : undefined}>

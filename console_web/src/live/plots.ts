@@ -1,7 +1,7 @@
 // What is plotted: groups of small plots, each a measured line and its reference.
 import { controllableAxes } from "../lib/vehicle";
 import { axisUnit } from "../lib/wrench";
-import { live } from "../stream/store";
+import { screen } from "../stream/screen";
 
 export interface Trace {
   column: string;
@@ -62,7 +62,7 @@ export function specsOf(group: Group): PlotSpec[] {
       ],
     }));
   }
-  return (live.latest("tlm/actuators")?.actuators ?? []).map(({ name, unit }) => ({
+  return (screen.latest("tlm/actuators")?.actuators ?? []).map(({ name, unit }) => ({
     id: `actuator_${name}`,
     title: name,
     unit: unit === "deg" ? "°" : unit,

@@ -1,7 +1,7 @@
 // Range to the observation point on an axis with the supervisor's five thresholds.
 import type { Supervisor } from "../gen/bumpless_pb";
 import { fixed } from "../lib/format";
-import { live } from "../stream/store";
+import { inForce } from "../stream/screen";
 import "./range_gauge.css";
 
 interface Threshold {
@@ -24,7 +24,7 @@ function thresholds(s: Supervisor): Threshold[] {
 export function RangeGauge({ supervisor }: { supervisor: Supervisor }) {
   const marks = thresholds(supervisor);
   const top = Math.max(...marks.map((mark) => mark.value)) * 1.3 || 1;
-  const range = live.latest("tlm/mission")?.missionName ? supervisor.rangeM : NaN; // to nothing, before a mission
+  const range = inForce.value ? supervisor.rangeM : NaN; // before a mission to nothing, after an abort old
   const at = (metres: number): string => `${((100 * Math.min(metres, top)) / top).toFixed(2)}%`;
   const beyond = range > top;
   return (

@@ -15,18 +15,22 @@ const CAMERAS = [
   { value: "top", name: "Top", about: "From above, north up" },
   { value: "target", name: "Target", about: "From the docking target" },
 ] as const;
+/** This tab's own name: two tabs of one browser look from two places. */
+const TAB = [...crypto.getRandomValues(new Uint8Array(6))]
+  .map((n) => n.toString(16).padStart(2, "0"))
+  .join("");
 type Camera = (typeof CAMERAS)[number]["value"];
 
-export function Scene() {
+export function Scene({ hidden }: { hidden: boolean }) {
   const camera = useSignal<Camera>("follow");
   const refused = useSignal<Refusal | undefined>(undefined);
   const choose = async (view: Camera): Promise<void> => {
-    const answer = await ask("post", "/api/scene/camera", { body: { view } });
+    const answer = await ask("post", "/api/scene/camera", { body: { view, tab: TAB } });
     refused.value = answer.ok ? undefined : answer;
     if (answer.ok) camera.value = view;
   };
   return (
-    <section class="panel scene" aria-label="3-D scene">
+    <section class="panel scene" aria-label="3-D scene" hidden={hidden}>
       <header class="panel-head">
         <h2>Scene</h2>
         <span class="unit">NED</span>
@@ -53,7 +57,9 @@ function SceneFrame() {
   const seen = live.connection.value === "open" || live.lastFrame > 0;
   return (
     <div class="scene-frame" data-state={look === "live" || look === "waiting" ? "fresh" : "stale"}>
-      {seen && <iframe src={`scene/?theme=${theme.value}`} title="3-D scene of vehicle, path and target" />}
+      {seen && (
+        <iframe src={`scene/${TAB}/?theme=${theme.value}`} title="3-D scene of vehicle, path and target" />
+      )}
       {look !== "live" && (
         <p class="scene-veil">
           {look === "waiting"

@@ -1,7 +1,7 @@
 // Where the vehicle is and how it follows its path, in numbers.
 import type { Guidance } from "../gen/bumpless_pb";
 import { fixed, headingOf, signed } from "../lib/format";
-import { live } from "../stream/store";
+import { screen } from "../stream/screen";
 import { Cells } from "../ui/cells";
 import { Empty, Panel } from "../ui/panel";
 
@@ -14,8 +14,8 @@ export function StatePanel() {
 }
 
 function Figures() {
-  const nav = live.latest("tlm/navigation");
-  const guidance = live.latest("tlm/guidance");
+  const nav = screen.latest("tlm/navigation");
+  const guidance = screen.latest("tlm/guidance");
   if (!nav) return <Empty>The vehicle's estimate appears with the first telemetry.</Empty>;
   const current = nav.currentEstimateNedMps;
   const cells: [string, string, string][] = [

@@ -2,7 +2,8 @@
 import { signal } from "@preact/signals";
 import type { Mode } from "../gen/bumpless_pb";
 import { clock } from "../lib/format";
-import { type History, history } from "../stream/history";
+import type { History } from "../stream/history";
+import { screen } from "../stream/screen";
 
 export const WINDOWS_S = [30, 60, 120, 300, 600] as const;
 export const window_s = signal<number>(120);
@@ -13,9 +14,13 @@ const SHORTEST_S = 30;
 const SHORTEST_MISSION_S = 10;
 
 /** The stretch of vehicle time that is shown now, s; [NaN, NaN] before the first value. */
-export function shown(of: History = history): [from: number, to: number] {
+export function shown(of?: History): [from: number, to: number] {
+  const to = of ? of.last() : screen.until;
+  return stretch(of ?? screen.history, to);
+}
+
+function stretch(of: History, to: number): [from: number, to: number] {
   const chosen = window_s.peek();
-  const to = of.last();
   const mission = to - of.missionStart;
   if (mission >= SHORTEST_MISSION_S && mission <= chosen) return [of.missionStart, to];
   return [Math.max(to - chosen, Math.min(of.first(), to - Math.min(SHORTEST_S, chosen))), to];
@@ -28,7 +33,7 @@ export interface Span {
 }
 
 /** Stretches of one mode between two vehicle times, in order. */
-export function spans(from: number, to: number, of: History = history): Span[] {
+export function spans(from: number, to: number, of: History = screen.history): Span[] {
   const found: Span[] = [];
   for (let i = of.firstIndex(from); i < of.length; i++) {
     const time = of.time[i] as number;
@@ -42,7 +47,7 @@ export function spans(from: number, to: number, of: History = history): Span[] {
 }
 
 /** Times at whole steps of mission time, or counted back from `to` when no mission has been seen. */
-export function ticks(from: number, to: number, step: number, of: History = history): number[] {
+export function ticks(from: number, to: number, step: number, of: History = screen.history): number[] {
   const origin = Number.isFinite(of.missionStart) ? of.missionStart : to;
   const times: number[] = [];
   for (let k = Math.ceil((from - origin) / step); origin + k * step <= to; k++) times.push(origin + k * step);
@@ -50,7 +55,7 @@ export function ticks(from: number, to: number, step: number, of: History = hist
 }
 
 /** Mission time when a mission has flown, else seconds before the newest value. */
-export function timeLabel(time: number, newest: number, of: History = history): string {
+export function timeLabel(time: number, newest: number, of: History = screen.history): string {
   if (Number.isFinite(of.missionStart)) return clock(Math.round((time - of.missionStart) * 10) / 10);
   return `${Math.round(time - newest)} s`.replace("-", "\u2212");
 }

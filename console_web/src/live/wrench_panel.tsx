@@ -2,7 +2,7 @@
 import { signed } from "../lib/format";
 import { controllableAxes } from "../lib/vehicle";
 import { axisUnit, type WrenchAxis, wrenchOf } from "../lib/wrench";
-import { live } from "../stream/store";
+import { inForce, screen } from "../stream/screen";
 import { Empty, Panel } from "../ui/panel";
 import "./wrench_panel.css";
 
@@ -42,7 +42,8 @@ function Legend() {
 }
 
 function Rows() {
-  const control = live.latest("tlm/control");
+  const control = screen.latest("tlm/control");
+  if (control && !inForce.value) return <Empty>No wrench is demanded: no control is in force.</Empty>;
   if (!control) return <Empty>Demanded and achieved wrench appear with the first telemetry.</Empty>;
   return (
     <table class="wrench">

@@ -6,8 +6,9 @@ import type { Answer } from "../api/http";
 import { runs } from "../api/resources";
 import type { Metrics, RunSummary } from "../api/types";
 import { bytes, clock, dateTime } from "../lib/format";
+import { href } from "../shell/address";
 import { DeleteButton } from "../ui/delete_button";
-import { DownloadIcon } from "../ui/icons";
+import { DownloadIcon, PlayIcon } from "../ui/icons";
 import { Empty, Panel } from "../ui/panel";
 import "../ui/facts.css";
 import { MetricsTables } from "./metrics_tables";
@@ -43,6 +44,11 @@ export function RunDetails({ run }: { run: RunSummary }) {
         aside={
           <>
             <OutcomeChip run={run} />
+            {run.state !== "recording" && (
+              <a class="action primary" href={href("runs", run.id, { t: 0 })}>
+                <PlayIcon /> Replay
+              </a>
+            )}
             <a
               class="action"
               href={address("/api/runs/{run}/log.mcap", { run: run.id })}

@@ -1,10 +1,10 @@
 // Runs: each flight's record, newest first, and the chosen run's metrics.
-import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
-import { address } from "../api/client";
+import { address as addressOf } from "../api/client";
 import { runs } from "../api/resources";
 import type { RunSummary } from "../api/types";
 import { bytes, clock, dateTime } from "../lib/format";
+import { address, go } from "../shell/address";
 import { DownloadIcon } from "../ui/icons";
 import { Main } from "../ui/main";
 import { Empty, Panel } from "../ui/panel";
@@ -17,9 +17,8 @@ import "./runs_view.css";
 export function RunsView() {
   useEffect(() => void runs.refresh(), []);
   const { value: list, refusal } = runs;
-  const chosen = useSignal("");
   const sorted = [...(list ?? [])].sort((a, b) => b.id.localeCompare(a.id));
-  const run = sorted.find(({ id }) => id === chosen.value) ?? sorted[0];
+  const run = sorted.find(({ id }) => id === address.value.id) ?? sorted[0];
   return (
     <Main name="Runs" class="view runs">
       <Panel title="Runs" class="run-list" aside={<span class="muted num">{sorted.length || ""}</span>}>
@@ -49,14 +48,7 @@ export function RunsView() {
             </thead>
             <tbody>
               {sorted.map((item) => (
-                <Row
-                  key={item.id}
-                  run={item}
-                  chosen={item === run}
-                  onChoose={() => {
-                    chosen.value = item.id;
-                  }}
-                />
+                <Row key={item.id} run={item} chosen={item === run} onChoose={() => go("runs", item.id)} />
               ))}
             </tbody>
           </table>
@@ -91,7 +83,7 @@ function Row({ run, chosen, onChoose }: { run: RunSummary; chosen: boolean; onCh
       <td>
         <a
           class="action small"
-          href={address("/api/runs/{run}/log.mcap", { run: run.id })}
+          href={addressOf("/api/runs/{run}/log.mcap", { run: run.id })}
           download={`${run.id}.mcap`}
           aria-label={`Download ${run.id} as MCAP`}
           onClick={(event) => event.stopPropagation()}

@@ -1,6 +1,9 @@
 // The page: top line, command line, banner, and the view that the address names.
+import { replay } from "../replay/current";
+import { ReplayBar } from "../replay/replay_bar";
 import { SkipLink } from "../ui/main";
 import "./app.css";
+import { AlarmBar } from "../alarms/alarm_bar";
 import { Banner } from "./banner";
 import { CommandBar } from "./command_bar";
 import { Header } from "./header";
@@ -13,6 +16,8 @@ export function App() {
       <Header />
       <CommandBar />
       <Banner />
+      <AlarmBar />
+      {replay.value && <ReplayBar replay={replay.value} />}
       <Views />
     </div>
   );

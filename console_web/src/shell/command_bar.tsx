@@ -4,7 +4,8 @@ import { useRef } from "preact/hooks";
 import { missions } from "../api/resources";
 import { type Event, MissionPhase } from "../gen/bumpless_pb";
 import { clock } from "../lib/format";
-import { flying, link, PHASES, phase } from "../stream/link";
+import { flying, link, moving, phase } from "../stream/link";
+import { PHASES } from "../stream/phase";
 import { live } from "../stream/store";
 import { endingNamed } from "../ui/endings";
 import { HoldButton } from "../ui/hold_button";
@@ -12,8 +13,11 @@ import { PauseIcon, PlayIcon, StopIcon } from "../ui/icons";
 import { useKeptFocus } from "../ui/keep_focus";
 import { ProblemTable, RefusalNotice } from "../ui/refusal";
 import "./command_bar.css";
-import { busy, chosen, command, mission, notice, seed, startChosen } from "./commands";
+import { busy, choosing, chosen, command, mission, notice, seed, seedRefused, startChosen } from "./commands";
+import { view } from "./views";
 
+/** The view with a start of its own, by what it shows: a second one beside it would fly something else. */
+const STARTS_ITSELF = "plan";
 const PHASE_LOOKS: Partial<Record<MissionPhase, string>> = {
   [MissionPhase.RUNNING]: "running",
   [MissionPhase.PAUSED]: "paused",
@@ -27,30 +31,31 @@ export function CommandBar() {
   const reachable = link.value.look === "live" || link.value.look === "stale";
   const ready = reachable && busy.value === undefined;
   const paused = phase.value === MissionPhase.PAUSED;
-  const title = flying.value
-    ? "Press and hold for one second to end the mission now"
-    : "No mission is running";
+  const title = moving.value
+    ? "Press and hold for one second: stops all actuators. The vehicle then drifts, and rises where it is buoyant."
+    : "All actuators are at rest";
   return (
     <>
       <section class="commandbar" aria-label="Mission control" ref={bar}>
         <Progress />
         <span class="grow" />
-        {!flying.value && <Chooser disabled={!ready} />}
+        {!flying.value && view.value !== STARTS_ITSELF && <Chooser disabled={!ready} />}
         {flying.value && (
           <button
             type="button"
             class="action"
             disabled={!ready}
+            title={paused ? "Go on with the mission" : "Brake and hold station here; the mission waits"}
             onClick={() => void command(paused ? "resume" : "pause")}
           >
-            {paused ? <PlayIcon /> : <PauseIcon />} {paused ? "Resume" : "Pause"}
+            {paused ? <PlayIcon /> : <PauseIcon />} {paused ? "Resume" : "Hold"}
           </button>
         )}
         <HoldButton
           name="Abort mission"
           class="abort"
           holdMs={1000}
-          disabled={!flying.value || !reachable}
+          disabled={!moving.value || link.value.look === "offline"}
           title={title}
           onHeld={() => void command("abort")}
         >
@@ -120,8 +125,9 @@ function Progress() {
         </span>
       )}
       {status?.missionName && flying.value && (
-        <Elapsed elapsedS={status.elapsedS} durationS={status.durationS} />
+        <Elapsed elapsedS={status.elapsedS} durationS={status.durationS} heldS={status.heldS} />
       )}
+      <After />
       {status?.missionName && !flying.value && ended && (
         <span class="muted ellipsis" title={ended}>
           {ended}
@@ -131,13 +137,37 @@ function Progress() {
   );
 }
 
-function Elapsed({ elapsedS, durationS }: { elapsedS: number; durationS: number }) {
-  const share = durationS > 0 ? Math.min(1, elapsedS / durationS) : 0;
+/** What the vehicle does once its mission is over. */
+function After() {
+  if (phase.value === MissionPhase.COMPLETED) {
+    return (
+      <span class="chip" data-look="running" title="Actuators run until it is told otherwise">
+        Holding station
+      </span>
+    );
+  }
+  if (phase.value !== MissionPhase.ABORTED) return null;
+  return (
+    <span
+      class="chip"
+      data-look={moving.value ? "stale" : "off"}
+      title="Nothing holds the vehicle: it drifts, and rises where it is buoyant"
+    >
+      {moving.value ? "Actuators are stopping" : "Actuators stopped: drifting"}
+    </span>
+  );
+}
+
+/** The clock goes on in a pause, and is told to; the share of the plan stands still. */
+function Elapsed({ elapsedS, durationS, heldS }: { elapsedS: number; durationS: number; heldS: number }) {
+  const planned = durationS - heldS;
+  const share = planned > 0 ? Math.max(0, Math.min(1, (elapsedS - heldS) / planned)) : 0;
   return (
     <>
       <span class="num">
         <span class="sr">Mission time </span>T+{clock(elapsedS)}
         <span class="muted"> / {clock(durationS)}</span>
+        {heldS > 0 && <span class="muted">, held for {clock(heldS)}</span>}
       </span>
       <span
         class="progress"
@@ -145,7 +175,7 @@ function Elapsed({ elapsedS, durationS }: { elapsedS: number; durationS: number 
         aria-label="Share of the planned duration"
         aria-valuemin={0}
         aria-valuemax={100}
-        aria-valuenow={Math.round(share * 100)}
+        aria-valuenow={Math.round((share || 0) * 100)}
       >
         <i style={{ width: `${(share * 100).toFixed(1)}%` }} />
       </span>
@@ -155,7 +185,6 @@ function Elapsed({ elapsedS, durationS }: { elapsedS: number; durationS: number 
 
 function Chooser({ disabled }: { disabled: boolean }) {
   const list = missions.value ?? [];
-  const badSeed = seed.value.trim() !== "" && !/^\d{1,9}$/.test(seed.value.trim());
   return (
     <form
       class="chooser"
@@ -183,7 +212,7 @@ function Chooser({ disabled }: { disabled: boolean }) {
         <input
           inputMode="numeric"
           placeholder="auto"
-          aria-invalid={badSeed}
+          aria-invalid={seedRefused.value}
           title="Seed of the simulated sensors and sea; empty: the mission's own"
           value={seed.value}
           onInput={(event) => {
@@ -191,7 +220,11 @@ function Chooser({ disabled }: { disabled: boolean }) {
           }}
         />
       </label>
-      <button type="submit" class="action primary" disabled={disabled || !mission.value || badSeed}>
+      <button
+        type="submit"
+        class="action primary"
+        disabled={disabled || choosing.value || !mission.value || seedRefused.value}
+      >
         <PlayIcon /> {busy.value === "start" ? "Starting" : "Start"}
       </button>
     </form>

@@ -3,8 +3,10 @@
 import { HELP, VIEWS } from "../gen/house";
 import { age, bytes } from "../lib/format";
 import { setTheme, theme } from "../lib/theme";
+import { setZone, timeOfDay, zone, zoneName } from "../lib/zone";
 import { type LinkLook, link } from "../stream/link";
 import { draft } from "../weights/draft";
+import { href } from "./address";
 import { view } from "./views";
 import "./header.css";
 import { live } from "../stream/store";
@@ -14,7 +16,7 @@ export function Header() {
   const badge = draft.changedPaths.value.length;
   return (
     <header class="topbar">
-      <a class="brand" href="#live" aria-label="Bumpless, live view">
+      <a class="brand" href={href("live")} aria-label="Bumpless, live view">
         <Logo />
         <span>Bumpless</span>
       </a>
@@ -22,7 +24,7 @@ export function Header() {
         {VIEWS.map(({ id, name, about }) => (
           <a
             key={id}
-            href={`#${id}`}
+            href={href(id)}
             class="tab"
             title={about}
             aria-current={view.value === id ? "page" : undefined}
@@ -41,6 +43,7 @@ export function Header() {
       </nav>
       <span class="grow" />
       <Vehicle />
+      <Clock />
       <Recording />
       <ThemeButton />
     </header>
@@ -123,6 +126,23 @@ function Recording() {
       )}
       {lost > 0 && <span class="lost"> {lost} dropped</span>}
     </span>
+  );
+}
+
+/** The time, always with its zone; a click changes the zone everywhere. */
+function Clock() {
+  void live.now.value;
+  const now = new Date();
+  const next = zone.value === "UTC" ? "local" : "UTC";
+  return (
+    <button
+      type="button"
+      class="quiet num clock"
+      title={`Show ${next === "UTC" ? "UTC" : "local time"} everywhere`}
+      onClick={() => setZone(next)}
+    >
+      {timeOfDay(now)} {zoneName(now)}
+    </button>
   );
 }
 

@@ -1,16 +1,19 @@
 // The views by the server's table, each loaded when it is first opened. To add one: a line in the server's
 // table, a line here, and its component.
-import { signal } from "@preact/signals";
+import { computed, effect, signal } from "@preact/signals";
 import type { ComponentType } from "preact";
 import { VIEWS } from "../gen/house";
+import { replayed } from "../replay/current";
 import { Main } from "../ui/main";
 import { Empty, Panel } from "../ui/panel";
+import { address } from "./address";
 
 export type ViewId = (typeof VIEWS)[number]["id"];
 type View = ComponentType<{ hidden: boolean }>;
 
 const LOADERS: Record<ViewId, () => Promise<View>> = {
   live: async () => (await import("../live/live_view")).LiveView,
+  plan: async () => (await import("../planner/planner_view")).PlannerView,
   missions: async () => (await import("../missions/missions_view")).MissionsView,
   weights: async () => (await import("../weights/weights_view")).WeightsView,
   runs: async () => (await import("../runs/runs_view")).RunsView,
@@ -21,13 +24,10 @@ const KEPT: ViewId = "live";
 const loaded = signal<Partial<Record<ViewId, View>>>({});
 const failed = signal<ViewId | undefined>(undefined);
 
-function viewOfAddress(): ViewId {
-  const wanted = location.hash.slice(1).split("/")[0];
-  return VIEWS.find(({ id }) => id === wanted)?.id ?? "live";
-}
-
-/** The view that the address names after "#". */
-export const view = signal<ViewId>(viewOfAddress());
+/** The view that the address names. */
+export const view = computed<ViewId>(() => VIEWS.find(({ id }) => id === address.value.view)?.id ?? "live");
+/** The one that shows it: a run is seen again in the Live view. */
+const shown = computed<ViewId>(() => (replayed.value ? "live" : view.value));
 
 async function load(id: ViewId): Promise<void> {
   if (loaded.peek()[id]) return;
@@ -40,14 +40,16 @@ async function load(id: ViewId): Promise<void> {
   }
 }
 
-void load(view.peek());
-addEventListener("hashchange", () => {
-  view.value = viewOfAddress();
-  void load(view.peek());
+effect(() => void load(shown.value));
+
+effect(() => {
+  const name = replayed.value ? "Replay" : VIEWS.find(({ id }) => id === view.value)?.name;
+  const of = address.value.id && ` of ${address.value.id}`;
+  document.title = `${name}${of} · Bumpless`;
 });
 
 export function Views() {
-  const here = view.value;
+  const here = shown.value;
   const open = VIEWS.filter(({ id }) => id === here || id === KEPT);
   return (
     <>

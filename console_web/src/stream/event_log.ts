@@ -12,15 +12,22 @@ export class EventLog {
   readonly shown = signal<readonly Event[]>([]);
   private kept: Event[] = [];
   private seen = new Set<string>();
+  private readonly received = new WeakMap<Event, bigint>();
 
-  add(event: Event): void {
+  /** In the order in which the server received them: a vehicle's clock can step, or stand in 1970. */
+  add(event: Event, receivedNs: bigint): void {
     const key = keyOf(event);
     if (this.seen.has(key)) return;
     this.seen.add(key);
-    const at = event.stamp?.timeNs ?? 0n;
-    const place = this.kept.findIndex((other) => (other.stamp?.timeNs ?? 0n) <= at);
+    this.received.set(event, receivedNs);
+    const place = this.kept.findIndex((other) => !this.isBefore(event, other));
     this.kept = this.kept.toSpliced(place < 0 ? this.kept.length : place, 0, event).slice(0, KEPT);
     if (this.seen.size > 4 * KEPT) this.seen = new Set(this.kept.map(keyOf));
+  }
+
+  private isBefore(one: Event, other: Event): boolean {
+    const [a, b] = [this.received.get(one) ?? 0n, this.received.get(other) ?? 0n];
+    return a === b ? (one.stamp?.timeNs ?? 0n) < (other.stamp?.timeNs ?? 0n) : a < b;
   }
 
   /** Make what was added visible. */

@@ -1,7 +1,8 @@
+import { create } from "@bufbuild/protobuf";
 import { describe, expect, it } from "vitest";
-import { Mode } from "../gen/bumpless_pb";
+import { MissionPhase, Mode, NavigationSchema, type Supervisor, SupervisorSchema } from "../gen/bumpless_pb";
 import { shown, spans, ticks, timeLabel } from "../live/time_axis";
-import { cycle, frame, START_S, store } from "./frames";
+import { cycle, frame, START_S, said, stamp, store } from "./frames";
 import { History, wrapDegrees } from "./history";
 
 function flown(): {
@@ -13,6 +14,26 @@ function flown(): {
   const fly = (timeS: number, mode: Mode = Mode.FORWARD, yawDeg = 0, past = false): void =>
     live.receive(frame(cycle(timeS, mode, yawDeg), 0, past));
   return { history, fly };
+}
+
+/** Cycles whose supervisor says what a test says. */
+function told() {
+  const { live } = store();
+  const history = new History(live);
+  const say = (timeS: number, said_: Partial<Supervisor>): void => {
+    const at = stamp(timeS);
+    live.receive(
+      frame([
+        said(
+          "tlm/supervisor",
+          SupervisorSchema,
+          create(SupervisorSchema, { phase: MissionPhase.RUNNING, ...said_, stamp: at } as never),
+        ),
+        said("tlm/navigation", NavigationSchema, { stamp: at, depthM: 3 }),
+      ]),
+    );
+  };
+  return { history, say };
 }
 
 /** Mission time, to the millisecond. */
@@ -42,10 +63,51 @@ describe("the history", () => {
     expect(times(history)).toEqual([0, 0.25, 0.5]);
   });
 
-  it("begins anew when the vehicle's clock goes back", () => {
+  it("keeps what it has when the vehicle's clock steps back, and goes on behind a gap", () => {
     const { history, fly } = flown();
-    for (const t of [10, 10.25, 1]) fly(t);
-    expect(times(history)).toEqual([1]);
+    for (const t of [10, 10.25, 1, 1.25]) fly(t);
+    expect(times(history)).toEqual([10, 10.25, 10.26, 11.25, 11.5]);
+    expect(history.column("depth")?.[2]).toBeNaN();
+    expect(history.last() - history.missionStart).toBeCloseTo(1.25, 6);
+  });
+
+  it("takes no row for the whole of a gap before it", () => {
+    const { history, fly } = flown();
+    for (const t of [0, 0.25, 20, 20.25]) fly(t);
+    expect([0, 1, 2, 3, 4].map((i) => Math.round(history.stretch(i) * 100) / 100)).toEqual([
+      0, 0.25, 0.01, 0, 0.25,
+    ]);
+  });
+
+  it("knows what a ramp comes from: after a pause from hover, not from the mode before", () => {
+    const { history, say } = told();
+    say(0, { mode: Mode.REVERSE, flown: Mode.REVERSE, kappa: 1 });
+    expect(history.rampFrom).toBe(Mode.UNSPECIFIED);
+    say(0.25, { mode: Mode.REVERSE, flown: Mode.HOVER, kappa: 0.1, phase: MissionPhase.PAUSED });
+    expect(history.rampFrom).toBe(Mode.REVERSE);
+    say(0.5, { mode: Mode.REVERSE, flown: Mode.HOVER, kappa: 1, phase: MissionPhase.PAUSED });
+    say(0.75, { mode: Mode.REVERSE, flown: Mode.REVERSE, kappa: 0.1 });
+    expect(history.rampFrom).toBe(Mode.HOVER);
+    say(1, { mode: Mode.REVERSE, flown: Mode.REVERSE, kappa: 1 });
+    say(1.25, { mode: Mode.REVERSE, flown: Mode.REVERSE, kappa: 0.1 });
+    expect(history.rampFrom).toBe(Mode.REVERSE);
+  });
+
+  it("takes no reference, range or detection from a control that is not in force", () => {
+    const { history, say } = told();
+    say(0, { mode: Mode.REVERSE, rangeM: 5, detection: true });
+    say(0.25, { mode: Mode.REVERSE, rangeM: 5, detection: true, phase: MissionPhase.ABORTED });
+    expect([...(history.column("range")?.slice(0, 2) ?? [])]).toEqual([5, Number.NaN]);
+    expect(history.column("detection")?.[1]).toBeNaN();
+    expect(history.column("depth")?.[1]).toBe(3);
+    expect([...history.mode.slice(0, 2)]).toEqual([Mode.REVERSE, Mode.UNSPECIFIED]);
+  });
+
+  it("shows hover while station is held: in a pause and after the mission", () => {
+    const { history, say } = told();
+    say(0, { mode: Mode.FORWARD, phase: MissionPhase.PAUSED });
+    say(0.25, { mode: Mode.FORWARD, flown: Mode.HOVER, phase: MissionPhase.COMPLETED });
+    expect([...history.mode.slice(0, 2)]).toEqual([Mode.HOVER, Mode.HOVER]);
   });
 
   it("lets a heading go on past 360 so that its line never jumps", () => {

@@ -1,33 +1,38 @@
 // What the plots show: one row per received control cycle. Columns have their full length from the start,
 // so that a page that stays open for a watch does not grow.
 import { Mode } from "../gen/bumpless_pb";
-import { WRENCH_AXES, wrenchOf } from "../lib/wrench";
-import { isFlying } from "./link";
+import { type CycleRow, cycleRow, type Row } from "./cycle_row";
 import { type LiveStore, live } from "./store";
 
 /** Ten minutes at 20 Hz, and room before old rows are dropped. */
 const CAPACITY = 12_000;
 const ROOM = 15_000;
 /** A pause longer than this breaks the lines, s. */
-const GAP = 0.5;
-
-type Row = Record<string, number | null | undefined>;
+export const GAP = 0.5;
+/** How far apart stand what was told before and after a step of the vehicle's clock, s. */
+const STEP = 1;
 
 export class History {
   /** Rows in use of every column. */
   length = 0;
-  /** Vehicle time, s since the UNIX epoch. */
+  /** Vehicle time, s since the UNIX epoch; it goes on where the vehicle's clock stepped back. */
   readonly time = new Float64Array(ROOM);
   readonly mode = new Uint8Array(ROOM);
   /** Vehicle time at mission time 0, s; NaN when no mission has been seen. */
   missionStart = Number.NaN;
+  /** What the present ramp comes from: a mode, or the present one when only settings changed. */
+  rampFrom: Mode = Mode.UNSPECIFIED;
   private readonly columns = new Map<string, Float64Array>();
   private flying = false;
   private unwrapped: Record<string, number> = {};
+  private shift = 0;
+  private told = Number.NaN;
+  private before: CycleRow | undefined;
 
-  constructor(private readonly store: LiveStore) {
-    store.onReceive((changed, past) => {
-      if (changed.has("tlm/navigation")) this.append(past);
+  constructor(store?: LiveStore) {
+    store?.onReceive((changed, past) => {
+      const cycle = changed.has("tlm/navigation") && cycleRow((name) => store.received(name));
+      if (cycle) this.append(cycle, past);
     });
   }
 
@@ -56,57 +61,41 @@ export class History {
     return low;
   }
 
-  /** The past that a new connection begins with fills what was missed, and leaves alone what is here. */
-  private append(past: boolean): void {
-    const nav = this.store.received("tlm/navigation");
-    if (!nav?.stamp) return;
-    const time = Number(nav.stamp.timeNs) / 1e9;
-    const previous = this.last();
-    if (time === previous || (past && time < previous)) return;
-    if (time < previous) this.clear();
-    // A simulated vehicle is put at the start of its mission: that jump is no motion.
-    const supervisor = this.store.received("tlm/supervisor");
-    const flying = isFlying(supervisor?.phase || this.store.received("tlm/mission")?.phase);
-    if (time - previous > GAP || (flying && !this.flying)) this.push(previous + 0.01, Mode.UNSPECIFIED, {});
-    if (flying) this.missionStart = time - nav.stamp.missionTimeS;
-    this.flying = flying;
-    this.push(time, (flying && supervisor?.mode) || Mode.UNSPECIFIED, this.row(flying));
+  /** How much of the time before row `i` it speaks for, s: nothing of a gap. */
+  stretch(i: number): number {
+    const whole = i ? (this.time[i] as number) - (this.time[i - 1] as number) : 0;
+    return whole > this.gap ? 0 : whole;
   }
 
-  private row(flying: boolean): Row {
-    const nav = this.store.received("tlm/navigation");
-    const guidance = this.store.received("tlm/guidance");
-    const supervisor = this.store.received("tlm/supervisor");
-    const control = this.store.received("tlm/control");
-    const allocation = this.store.received("tlm/allocation");
-    const yaw = this.unwrap("yaw", nav?.attitude?.yawDeg);
-    const yawReference = guidance?.attitudeReference?.yawDeg;
-    const row: Row = {
-      depth: nav?.depthM,
-      depth_reference: guidance?.depthReferenceM,
-      speed: nav?.velocityBodyMps?.x,
-      speed_reference: guidance?.surgeSpeedReferenceMps,
-      yaw,
-      yaw_reference: yaw == null || yawReference == null ? null : yaw + wrapDegrees(yawReference - yaw),
-      pitch: nav?.attitude?.pitchDeg,
-      pitch_reference: guidance?.attitudeReference?.pitchDeg,
-      roll: nav?.attitude?.rollDeg,
-      range: supervisor?.rangeM,
-      kappa: flying ? supervisor?.kappa : null,
-      detection: supervisor && Number(supervisor.detection),
-      detection_raw: supervisor && Number(supervisor.detectionRaw),
-      solve_time: allocation?.solveTimeUs,
-      residual: allocation?.residualNorm,
-    };
-    for (const axis of WRENCH_AXES) {
-      row[`demanded_${axis}`] = wrenchOf(control?.demanded, axis);
-      row[`achieved_${axis}`] = wrenchOf(control?.achieved, axis);
-    }
-    for (const actuator of this.store.received("tlm/actuators")?.actuators ?? []) {
-      row[`command_${actuator.name}`] = actuator.command;
-      row[`feedback_${actuator.name}`] = actuator.feedback;
-    }
-    return row;
+  /** Rows further apart than this are no neighbours, s. */
+  gap = GAP;
+
+  /** The past that a new connection begins with fills what was missed, and leaves alone what is here. */
+  append(cycle: CycleRow, past = false): void {
+    const previous = this.last();
+    if (cycle.time === this.told) return;
+    if (!past && cycle.time < this.told) this.shift += previous + STEP - (cycle.time + this.shift);
+    const time = cycle.time + this.shift;
+    if (past && time < previous) return;
+    this.told = cycle.time;
+    // A simulated vehicle is put at the start of its mission: that jump is no motion.
+    const begins = cycle.inForce && !this.flying;
+    if (time - previous > this.gap || begins) this.push(previous + 0.01, Mode.UNSPECIFIED, {});
+    if (cycle.inForce) this.missionStart = time - cycle.missionTime;
+    const ramps = cycle.inForce && this.before !== undefined && cycle.kappa < this.before.kappa;
+    if (ramps) this.rampFrom = this.before?.mode ?? Mode.UNSPECIFIED;
+    if (begins) this.rampFrom = Mode.UNSPECIFIED;
+    this.flying = cycle.inForce;
+    this.before = cycle;
+    this.push(time, cycle.mode, this.withoutJumps(cycle.row));
+  }
+
+  /** Angles go on past 360 so that a line never jumps. */
+  private withoutJumps(row: Row): Row {
+    const yaw = this.unwrap("yaw", row.yaw);
+    const reference = row.yaw_reference;
+    const yaw_reference = yaw == null || reference == null ? null : yaw + wrapDegrees(reference - yaw);
+    return { ...row, yaw, yaw_reference };
   }
 
   private push(time: number, mode: Mode, row: Row): void {
@@ -129,16 +118,19 @@ export class History {
     for (const column of [this.time, this.mode, ...this.columns.values()]) column.copyWithin(0, count);
   }
 
-  private clear(): void {
+  clear(): void {
     this.length = 0;
     this.columns.clear();
     this.unwrapped = {};
     this.missionStart = Number.NaN;
+    this.told = Number.NaN;
+    this.shift = 0;
+    this.before = undefined;
+    this.flying = false;
   }
 
-  /** Angles go on past 360 so that a line never jumps. */
-  private unwrap(name: string, degrees: number | undefined): number | null {
-    if (degrees === undefined || !Number.isFinite(degrees)) return null;
+  private unwrap(name: string, degrees: number | null | undefined): number | null {
+    if (degrees == null || !Number.isFinite(degrees)) return null;
     const before = this.unwrapped[name] ?? degrees;
     const whole = before + wrapDegrees(degrees - before);
     this.unwrapped[name] = whole;

@@ -1,7 +1,10 @@
 // The one sentence that says whether what is shown is live, and what the mission does.
 import { computed } from "@preact/signals";
 import { LinkState, MissionPhase } from "../gen/bumpless_pb";
+import { isFlying, isInForce } from "./phase";
 import { live } from "./store";
+
+export { PHASES } from "./phase";
 
 export type LinkLook = "live" | "stale" | "lost" | "waiting" | "offline";
 
@@ -38,21 +41,22 @@ export const link = computed((): Link => {
   }
 });
 
-export const PHASES: Record<MissionPhase, string> = {
-  [MissionPhase.UNSPECIFIED]: "Unknown",
-  [MissionPhase.IDLE]: "Idle",
-  [MissionPhase.RUNNING]: "Running",
-  [MissionPhase.PAUSED]: "Paused",
-  [MissionPhase.COMPLETED]: "Over",
-  [MissionPhase.ABORTED]: "Aborted",
-};
-
 export const phase = computed(
   (): MissionPhase => live.latest("tlm/mission")?.phase ?? MissionPhase.UNSPECIFIED,
 );
 
-export function isFlying(in_: MissionPhase | undefined): boolean {
-  return in_ === MissionPhase.RUNNING || in_ === MissionPhase.PAUSED;
-}
-
+/** A mission is being flown, as far as is known. */
 export const flying = computed(() => isFlying(phase.value));
+
+/** Share of its travel from which an actuator counts as moving. */
+const AT_REST = 0.02;
+
+/** An actuator may move: control is in force, or one is seen to move. What is not known may be. */
+export const moving = computed((): boolean => {
+  if (phase.value === MissionPhase.UNSPECIFIED) return link.value.look !== "waiting";
+  if (isInForce(phase.value)) return true;
+  return (live.latest("tlm/actuators")?.actuators ?? []).some(
+    ({ feedback, amplitudeLower, amplitudeUpper, unit }) =>
+      unit === "rpm" && Math.abs(feedback) > AT_REST * (amplitudeUpper - amplitudeLower),
+  );
+});

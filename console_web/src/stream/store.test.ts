@@ -64,4 +64,12 @@ describe("the live store", () => {
     show();
     expect(live.events.map(({ text }) => text)).toEqual(["late", "early"]);
   });
+
+  it("sorts events by when they came: a vehicle's clock that stepped back puts none below old ones", () => {
+    const { live, show } = store();
+    live.receive(frame([event(300, "before the step")], 2));
+    live.receive(frame([event(1, "after the step")], 1));
+    show();
+    expect(live.events.map(({ text }) => text)).toEqual(["after the step", "before the step"]);
+  });
 });

@@ -108,7 +108,7 @@ export class LiveStore {
         this.waiting.set(topic, { message, born: now - Math.max(0, ageMs) });
         changed.add(topic);
       } else if (topic === "event" || topic.endsWith("/event")) {
-        this.log.add(fromBinary(EventSchema, payload));
+        this.log.add(fromBinary(EventSchema, payload), receiveTimeNs);
       }
     }
     for (const listener of this.listeners) listener(changed, frame.past);

@@ -2,7 +2,7 @@
 import { useSignalEffect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { theme, typeSize } from "../lib/theme";
-import { live } from "../stream/store";
+import { screen } from "../stream/screen";
 
 export type Paint = (context: CanvasRenderingContext2D, width: number, height: number) => void;
 
@@ -35,7 +35,7 @@ export function Canvas({ paint, name, class: look }: { paint: Paint; name: strin
     return () => observer.disconnect();
   }, []);
   useSignalEffect(() => {
-    void [live.now.value, theme.value, typeSize.value];
+    void [screen.tick, theme.value, typeSize.value];
     draw();
   });
   return <canvas ref={element} class={look} role="img" aria-label={name} />;

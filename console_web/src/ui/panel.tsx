@@ -1,7 +1,7 @@
 // A titled box. Given a topic it dims and says how old the values are when they are not present.
 import type { ComponentChildren } from "preact";
 import { age } from "../lib/format";
-import { live } from "../stream/store";
+import { screen } from "../stream/screen";
 import type { TopicName } from "../stream/topics";
 import "./panel.css";
 
@@ -32,8 +32,8 @@ export function Panel({ title, topic, unit, aside, class: name, children }: Pane
 
 /** Nothing while the topic is present; its age when it is not. */
 export function AgeChip({ topic }: { topic: TopicName }) {
-  const seconds = live.age(topic);
-  if (live.isFresh(topic)) return null;
+  const seconds = screen.age(topic);
+  if (screen.isFresh(topic)) return null;
   const text = seconds === undefined ? "no data" : `stale ${age(seconds)}`;
   return (
     <span class="age-chip" data-testid={`age-${topic}`}>
@@ -43,8 +43,8 @@ export function AgeChip({ topic }: { topic: TopicName }) {
 }
 
 function Freshness({ topic, children }: { topic: TopicName; children: ComponentChildren }) {
-  const known = live.latest(topic) !== undefined;
-  const state = live.isFresh(topic) ? "fresh" : known ? "stale" : "empty";
+  const known = screen.latest(topic) !== undefined;
+  const state = screen.isFresh(topic) ? "fresh" : known ? "stale" : "empty";
   return (
     <div class="panel-body" data-state={state}>
       {children}

@@ -2,7 +2,18 @@
 
 import typer
 
-from bumpless_server.cli import campaign, envelope, metrics, repair, reproduce, run, tune, validate, vehicle
+from bumpless_server.cli import (
+    campaign,
+    compare,
+    envelope,
+    metrics,
+    repair,
+    reproduce,
+    run,
+    tune,
+    validate,
+    vehicle,
+)
 from bumpless_server.cli.serve_command import serve
 
 app = typer.Typer(
@@ -31,6 +42,7 @@ app.command()(validate.validate)
 app.command()(campaign.campaign)
 app.command()(tune.tune)
 app.command()(metrics.metrics)
+app.command()(compare.compare)
 app.command()(envelope.envelope)
 app.command()(repair.repair)
 app.command()(reproduce.reproduce)

@@ -10,6 +10,7 @@ from bumpless.contract.messages import decoded
 
 EVENT = "event"
 STATUS = "server/status"
+ALARMS = "server/alarms"
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,5 +1,8 @@
 """Records every run by itself: begins when the vehicle says RUNNING, ends when it says it has ended.
 
+A vehicle that holds station after its mission still moves its actuators: that goes on in a file of its own,
+one cycle a second, until it is told to stop or to fly again.
+
 Works on its own thread behind a bounded queue. A slow disk fills the queue, which then drops its
 oldest messages and counts them; the bus, the web and the vehicle never wait. A disk without room is not
 written to, and one that fails is tried again after longer and longer pauses; the operator is told of both.
@@ -12,7 +15,8 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from bumpless.contract import bumpless_pb2 as pb
-from bumpless.contract.enums import FLYING
+from bumpless.contract.enums import COMPLETED, FLYING
+from bumpless.contract.keys import TOPICS
 from bumpless.contract.messages import stamp_of
 from bumpless.contract.names import RUN
 from bumpless.runs.info import ending_of
@@ -30,6 +34,7 @@ FLUSH_S = 1.0
 PRE_ROLL = 1000  # messages kept while idle: a run's first cycles may precede its mission status
 PRE_ROLL_BYTES = 4_000_000
 LONGEST_PART = 120
+HELD_EVERY_S = 1.0  # of a hold after a mission one cycle is kept in so long
 SETTLE_S = 0.5  # after the end, for the rest of the last cycle
 RETRY_S = 5.0  # after a disk without room, and the first time after a failing one
 MAX_RETRY_S = 300.0  # each try may leave a part of the run behind: twice as long each time, up to this
@@ -72,6 +77,7 @@ class Recorder:
         self._dropped_before = 0
         self._end: tuple[pb.MissionStatus, float] | None = None  # last status and when to close
         self._flush_at = 0.0
+        self._holds = False  # what is recorded is a hold after a mission
         self._budget = budget or DiskBudget(folder)
         self._lack = ""  # of room on the disk
         self._failure = ""  # of the last write
@@ -194,8 +200,15 @@ class Recorder:
         status = item.decode() if item.topic == MISSION else None
         if isinstance(status, pb.MissionStatus) and self._on_status(status, item):
             return
-        if self._run is not None:
+        if self._run is not None and not self._passed_over(item):
             self._write(item)
+
+    def _passed_over(self, item: Sample) -> bool:
+        """Whether this is one of the many like cycles of a hold."""
+        name = item.topic.removeprefix("tlm/")
+        per_cycle = name in TOPICS and TOPICS[name].rate_hz is None
+        every = max(1, round(HELD_EVERY_S / self._period_s()))
+        return self._holds and per_cycle and _cycle(item) % every != 0
 
     def _remember(self, item: Sample) -> None:
         self._recent.append(item)
@@ -215,11 +228,18 @@ class Recorder:
             if run is not None and run.run_id == status.run_id:
                 run.status = status
                 return False
-            self._finish(INTERRUPTED, f"run {status.run_id} began")
+            self._finish(COMPLETE if self._holds else INTERRUPTED, f"run {status.run_id} began")
             if status.run_id != self._tried or time.monotonic() >= self._retry_at:
                 self._tried = status.run_id
                 if self._has_room(status.run_id):
                     self._begin(status, told)
+            return self._run is not None
+        if self._holds and run is not None and status.phase == COMPLETED and status.run_id == run.run_id:
+            run.status = status
+            return False
+        if run is None and status.phase == COMPLETED and status.run_id and time.monotonic() >= self._retry_at:
+            if self._has_room(status.run_id):
+                self._begin(status, told, holds=True)
             return self._run is not None
         if run is None and time.monotonic() >= self._retry_at:
             self._retry_at = time.monotonic() + RETRY_S
@@ -230,7 +250,8 @@ class Recorder:
             self._end = (status, time.monotonic() + SETTLE_S)
         return False
 
-    def _begin(self, status: pb.MissionStatus, told: Sample) -> None:
+    def _begin(self, status: pb.MissionStatus, told: Sample, holds: bool = False) -> None:
+        self._holds = holds
         self._dropped_before = self._queue.dropped
         self._speaker = told.session
         name = free_id(self._folder, status.run_id)
@@ -241,10 +262,10 @@ class Recorder:
             if not _is_other_plan(sample, status):
                 self._write(sample, max(sample.receive_ns, began_ns))
         for sample in self._recent:
-            if sample.topic not in CONTEXT and self._belongs(sample, status):
+            if not holds and sample.topic not in CONTEXT and self._belongs(sample, status):
                 self._write(sample)
         self._flush_at = time.monotonic() + FLUSH_S
-        if any(told == status.run_id for _, told in self._told):
+        if any(run_id == status.run_id for _, run_id in self._told):
             what = f"Run {status.run_id} is being recorded again, as {run.id}"
             self._say(pb.SEVERITY_INFO, "recording_again", what, {"run": run.id})
         log.info("recording %s", run.path)

@@ -10,7 +10,7 @@ from bumpless.contract import bumpless_pb2 as pb
 from bumpless_server.scene import pose
 from bumpless_server.scene.cameras import Cameras
 from bumpless_server.scene.picture import Picture
-from bumpless_server.scene.status import trail_mode
+from bumpless_server.scene.status import flown_mode, trail_mode
 from bumpless_server.scene.trail import Track
 
 log = logging.getLogger(__name__)
@@ -42,7 +42,10 @@ class Recorder:
             return
         self._seen = navigation
         supervisor: Any = self._state.latest("supervisor") or pb.Supervisor()
-        self.track.add(pose.vector(navigation.position_ned_m), trail_mode(mission.phase, supervisor.mode))
+        self.track.add(
+            pose.vector(navigation.position_ned_m),
+            trail_mode(mission.phase, flown_mode(mission.phase, supervisor)),
+        )
 
 
 class Live(threading.Thread):

@@ -10,13 +10,14 @@ import numpy as np
 from google.protobuf.message import Message
 
 from bumpless.contract import bumpless_pb2 as pb
+from bumpless.contract.enums import MOVING
 from bumpless_server.scene import palette, pose
 from bumpless_server.scene.attainable import AttainableSets
 from bumpless_server.scene.cameras import Places, turned
 from bumpless_server.scene.current import CurrentView
 from bumpless_server.scene.envelopes import SetView
 from bumpless_server.scene.plan import PlanView
-from bumpless_server.scene.status import body_text, trail_mode
+from bumpless_server.scene.status import body_text, flown_mode, trail_mode
 from bumpless_server.scene.target import TargetView
 from bumpless_server.scene.trail import Track, TrailView
 from bumpless_server.scene.vehicle_view import VehicleView
@@ -118,7 +119,8 @@ class Picture:
             self.places.target = pose.vector(target.position_ned_m)
             self.places.target_heading = radians(target.heading_deg)
             self.places.observation = pose.vector(target.observation_point_ned_m)
-        self.target.name(self._last("target", pb.Target), live)
+        phase = self._last("mission", pb.MissionStatus).phase
+        self.target.name(self._last("target", pb.Target), live, known=phase in MOVING)
         if (supervisor := self._fresh("supervisor", pb.Supervisor)) is not None:
             self.target.thresholds(supervisor)
         deepest = plane_depth(
@@ -147,7 +149,7 @@ class Picture:
         if self.vehicle is not None:
             if (actuators := self._fresh("actuators", pb.Actuators)) is not None:
                 self.vehicle.move_actuators(actuators)
-            self.vehicle.show(trail_mode(mission.phase, supervisor.mode), live)
+            self.vehicle.show(trail_mode(mission.phase, flown_mode(mission.phase, supervisor)), live)
         text = body_text(self._state.link, self._state.telemetry_age_s, mission.phase, supervisor, navigation)
         if text != self.label.text:
             self.label.text = text

@@ -1,23 +1,26 @@
 """The scene behind our own origin: the page at /scene/ and viser's websocket at /scene.
 
+A tab that names itself, /scene/TAB/ and /scene/TAB, has a camera of its own.
+
 Only a browser that holds our session cookie, on a page of our own origin, gets through.
 """
 
 import asyncio
 import contextlib
 from collections.abc import Callable
-from typing import Literal
+from typing import Annotated, Literal
 from urllib.parse import urlsplit
 
 from fastapi import APIRouter, HTTPException, Request, WebSocket
 from fastapi.responses import HTMLResponse
-from pydantic import BaseModel
+from pydantic import BaseModel, StringConstraints
 from websockets.asyncio.client import connect
 from websockets.exceptions import ConnectionClosed, WebSocketException
 
 from bumpless_server.scene.guard import SECRET_HEADER, SESSION_HEADER
 from bumpless_server.scene.page import POLICY, page_html
 
+Tab = Annotated[str, StringConstraints(pattern=r"^[0-9a-z]{0,32}$")]
 View = Literal["follow", "overview", "top", "target"]
 SessionOf = Callable[[Request | WebSocket], str | None]
 NO_SCENE, REFUSED = 1013, 1008  # websocket close codes: try again later, policy violation
@@ -27,10 +30,11 @@ class CameraRequest(BaseModel):
     """Which preset the caller's own cameras take."""
 
     view: View
+    tab: Tab = ""
 
 
 class CameraAnswer(BaseModel):
-    """How many of the caller's browsers moved."""
+    """How many of the caller's tabs moved."""
 
     view: View
     viewers: int
@@ -45,7 +49,9 @@ class Proxy:
         self.inner: tuple[str, str] | None = None  # viser's address and secret while it runs
         self.router = APIRouter()
         self.router.add_api_route("/scene/", self.page, methods=["GET"], include_in_schema=False)
+        self.router.add_api_route("/scene/{tab}/", self.page, methods=["GET"], include_in_schema=False)
         self.router.add_api_websocket_route("/scene", self.socket)
+        self.router.add_api_websocket_route("/scene/{tab}", self.socket)
         self.router.add_api_route("/api/scene/camera", self.camera, methods=["POST"])
 
     async def page(self, request: Request) -> HTMLResponse:
@@ -64,7 +70,7 @@ class Proxy:
         session = self.session_of(request)
         if session is None or not same_origin(request):
             raise HTTPException(403, "only the console's own page may move its camera")
-        moved = await asyncio.to_thread(self.set_view, session, body.view)
+        moved = await asyncio.to_thread(self.set_view, viewer(session, body.tab), body.view)
         return CameraAnswer(view=body.view, viewers=moved)
 
     async def socket(self, outer: WebSocket) -> None:
@@ -75,12 +81,13 @@ class Proxy:
         if self.inner is None:
             return await outer.close(NO_SCENE)
         address, secret = self.inner
+        tab = outer.path_params.get("tab", "")[:32]
         protocols = [p for p in outer.scope.get("subprotocols", []) if p.startswith("viser-v")][:1]
         try:
             async with connect(
                 address,
                 subprotocols=protocols or None,
-                additional_headers={SECRET_HEADER: secret, SESSION_HEADER: session},
+                additional_headers={SECRET_HEADER: secret, SESSION_HEADER: viewer(session, tab)},
                 compression=None,
                 max_size=None,
                 close_timeout=1,
@@ -91,6 +98,11 @@ class Proxy:
         except (OSError, WebSocketException):
             with contextlib.suppress(RuntimeError):
                 await outer.close(NO_SCENE)
+
+
+def viewer(session: str, tab: str) -> str:
+    """Who looks: a browser's session, or one tab of it."""
+    return f"{session}/{tab}" if tab.isalnum() and tab.isascii() else session
 
 
 def same_origin(request: Request | WebSocket, required: bool = False) -> bool:

@@ -76,6 +76,7 @@ class TargetView:
         self.rings: dict[str, Any] = {}
         self.ring_labels: dict[str, Any] = {}
         self._radius: dict[str, float] = {}
+        self._known = True
         for name, _, _, colour in RINGS:
             ring = f"{WORLD}/observation/ring_{name}"
             self.rings[name] = scene.add_line_segments(
@@ -100,10 +101,19 @@ class TargetView:
         """No mission, no target."""
         self.frame.visible = self.point.visible = self.detail.visible = False
 
-    def name(self, target: pb.Target, live: bool) -> None:
-        """Approach heading and, while that is known, whether the camera sees the target."""
+    def name(self, target: pb.Target, live: bool, known: bool = True) -> None:
+        """Approach heading and, while that is known, whether the camera sees the target.
+
+        known: False when nothing keeps the target's place up to date, as after an abort.
+        """
         words = f"target {target.heading_deg % 360.0:03.0f}°"
-        if live:
+        if self._known != known:
+            self._known = known
+            self.dock.color = palette.TARGET if known else palette.STALE
+            self.dock.opacity = None if known else 0.3
+        if not known:
+            words += " · last known place"
+        elif live:
             words += " · detected" if target.detected else " · not detected"
         self.label.text = words
 

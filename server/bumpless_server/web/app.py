@@ -16,12 +16,20 @@ from bumpless_server.web.body_limit import BodyLimit
 from bumpless_server.web.guard import Guard
 from bumpless_server.web.guesses import Guesses
 from bumpless_server.web.routes import (
+    alarms,
+    compare,
     declared,
     diagnostics,
+    exchange,
+    findings,
+    foresight,
     help,
+    library,
     missions,
     page,
     parameters,
+    planning,
+    replay,
     runs,
     status,
     stream,
@@ -29,7 +37,26 @@ from bumpless_server.web.routes import (
 
 log = logging.getLogger(__name__)
 
-ROUTERS = tuple(part.router for part in (status, diagnostics, missions, parameters, declared, runs, stream))
+ROUTERS = tuple(
+    part.router
+    for part in (
+        status,
+        diagnostics,
+        alarms,
+        missions,
+        findings,
+        exchange,
+        library,
+        planning,
+        parameters,
+        declared,
+        compare,
+        replay,
+        runs,
+        stream,
+        foresight,
+    )
+)
 
 
 def create_app(settings: Settings, console: Console | None = None) -> FastAPI:
@@ -43,6 +70,7 @@ def create_app(settings: Settings, console: Console | None = None) -> FastAPI:
             if own:
                 await run_in_threadpool(console.start)
                 stack.push_async_callback(run_in_threadpool, console.stop)
+            stack.push_async_callback(console.foresight.stop)
             if app.state.scene is not None:
                 await _start(app.state.scene, stack)
             yield

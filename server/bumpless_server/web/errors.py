@@ -15,6 +15,8 @@ from bumpless.config.problems import Problem, ProblemsError
 from bumpless_server.files import BadName
 from bumpless_server.live.ask import NoAnswer
 from bumpless_server.live.desk import Busy
+from bumpless_server.plan.drafts import TooManyDrafts
+from bumpless_server.plan.library import NoMission
 from bumpless_server.plan.missions import MissionExists
 
 log = logging.getLogger(__name__)
@@ -86,6 +88,14 @@ def install(app: FastAPI) -> None:
 
     @app.exception_handler(MissionExists)
     async def exists(_request: Request, error: MissionExists) -> JSONResponse:
+        return answer(409, str(error))
+
+    @app.exception_handler(NoMission)
+    async def no_mission(_request: Request, error: NoMission) -> JSONResponse:
+        return answer(404, str(error))
+
+    @app.exception_handler(TooManyDrafts)
+    async def too_many_drafts(_request: Request, error: TooManyDrafts) -> JSONResponse:
         return answer(409, str(error))
 
     @app.exception_handler(NoAnswer)

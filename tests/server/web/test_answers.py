@@ -84,6 +84,6 @@ def test_no_source_of_the_console_repeats_a_mode_colour() -> None:
 def test_each_topic_has_an_age_at_which_it_is_late() -> None:
     """Protects "nothing stale looks live" for every topic that the browser may show."""
     fresh = fresh_for_s()
-    assert fresh.keys() == {f"tlm/{name}" for name in TOPICS} | {"server/status"}
+    assert fresh.keys() == {f"tlm/{name}" for name in TOPICS} | {"server/status", "server/alarms"}
     for topic in TOPICS.values():
         assert topic.rate_hz is None or fresh[f"tlm/{topic.name}"] >= 2 / topic.rate_hz

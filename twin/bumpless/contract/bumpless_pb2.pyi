@@ -47,6 +47,8 @@ class DockingStage(int, metaclass=_enum_type_wrapper.EnumTypeWrapper):
     DOCKING_STAGE_APPROACH: _ClassVar[DockingStage]
     DOCKING_STAGE_BACK: _ClassVar[DockingStage]
     DOCKING_STAGE_HOLD: _ClassVar[DockingStage]
+    DOCKING_STAGE_CREEP: _ClassVar[DockingStage]
+    DOCKING_STAGE_CAPTURED: _ClassVar[DockingStage]
 
 class WaveOffReason(int, metaclass=_enum_type_wrapper.EnumTypeWrapper):
     __slots__ = ()
@@ -116,6 +118,8 @@ DOCKING_STAGE_ENTRY: DockingStage
 DOCKING_STAGE_APPROACH: DockingStage
 DOCKING_STAGE_BACK: DockingStage
 DOCKING_STAGE_HOLD: DockingStage
+DOCKING_STAGE_CREEP: DockingStage
+DOCKING_STAGE_CAPTURED: DockingStage
 WAVE_OFF_REASON_UNSPECIFIED: WaveOffReason
 WAVE_OFF_REASON_TARGET_LOST: WaveOffReason
 WAVE_OFF_REASON_OFF_LINE: WaveOffReason
@@ -239,7 +243,7 @@ class Guidance(_message.Message):
     def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., surge_speed_reference_mps: _Optional[float] = ..., depth_reference_m: _Optional[float] = ..., attitude_reference: _Optional[_Union[Attitude, _Mapping]] = ..., cross_track_error_m: _Optional[float] = ..., along_track_error_m: _Optional[float] = ..., leg: _Optional[int] = ..., leg_count: _Optional[int] = ..., sway_speed_reference_mps: _Optional[float] = ...) -> None: ...
 
 class Supervisor(_message.Message):
-    __slots__ = ("stamp", "mode", "previous_mode", "range_m", "detection_raw", "detection", "kappa", "time_in_mode_s", "dwell_remaining_s", "range_rh_lower_m", "range_rh_upper_m", "range_fr_lower_m", "range_fr_upper_m", "range_hf_upper_m", "phase", "docking_stage", "docking_tries", "docking_tries_most", "wave_off_reason", "approach_heading_deg", "fix_age_s")
+    __slots__ = ("stamp", "mode", "previous_mode", "range_m", "detection_raw", "detection", "kappa", "time_in_mode_s", "dwell_remaining_s", "range_rh_lower_m", "range_rh_upper_m", "range_fr_lower_m", "range_fr_upper_m", "range_hf_upper_m", "phase", "docking_stage", "docking_tries", "docking_tries_most", "wave_off_reason", "approach_heading_deg", "fix_age_s", "captured", "flown")
     STAMP_FIELD_NUMBER: _ClassVar[int]
     MODE_FIELD_NUMBER: _ClassVar[int]
     PREVIOUS_MODE_FIELD_NUMBER: _ClassVar[int]
@@ -261,6 +265,8 @@ class Supervisor(_message.Message):
     WAVE_OFF_REASON_FIELD_NUMBER: _ClassVar[int]
     APPROACH_HEADING_DEG_FIELD_NUMBER: _ClassVar[int]
     FIX_AGE_S_FIELD_NUMBER: _ClassVar[int]
+    CAPTURED_FIELD_NUMBER: _ClassVar[int]
+    FLOWN_FIELD_NUMBER: _ClassVar[int]
     stamp: Stamp
     mode: Mode
     previous_mode: Mode
@@ -282,7 +288,47 @@ class Supervisor(_message.Message):
     wave_off_reason: WaveOffReason
     approach_heading_deg: float
     fix_age_s: float
-    def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., mode: _Optional[_Union[Mode, str]] = ..., previous_mode: _Optional[_Union[Mode, str]] = ..., range_m: _Optional[float] = ..., detection_raw: _Optional[bool] = ..., detection: _Optional[bool] = ..., kappa: _Optional[float] = ..., time_in_mode_s: _Optional[float] = ..., dwell_remaining_s: _Optional[float] = ..., range_rh_lower_m: _Optional[float] = ..., range_rh_upper_m: _Optional[float] = ..., range_fr_lower_m: _Optional[float] = ..., range_fr_upper_m: _Optional[float] = ..., range_hf_upper_m: _Optional[float] = ..., phase: _Optional[_Union[MissionPhase, str]] = ..., docking_stage: _Optional[_Union[DockingStage, str]] = ..., docking_tries: _Optional[int] = ..., docking_tries_most: _Optional[int] = ..., wave_off_reason: _Optional[_Union[WaveOffReason, str]] = ..., approach_heading_deg: _Optional[float] = ..., fix_age_s: _Optional[float] = ...) -> None: ...
+    captured: bool
+    flown: Mode
+    def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., mode: _Optional[_Union[Mode, str]] = ..., previous_mode: _Optional[_Union[Mode, str]] = ..., range_m: _Optional[float] = ..., detection_raw: _Optional[bool] = ..., detection: _Optional[bool] = ..., kappa: _Optional[float] = ..., time_in_mode_s: _Optional[float] = ..., dwell_remaining_s: _Optional[float] = ..., range_rh_lower_m: _Optional[float] = ..., range_rh_upper_m: _Optional[float] = ..., range_fr_lower_m: _Optional[float] = ..., range_fr_upper_m: _Optional[float] = ..., range_hf_upper_m: _Optional[float] = ..., phase: _Optional[_Union[MissionPhase, str]] = ..., docking_stage: _Optional[_Union[DockingStage, str]] = ..., docking_tries: _Optional[int] = ..., docking_tries_most: _Optional[int] = ..., wave_off_reason: _Optional[_Union[WaveOffReason, str]] = ..., approach_heading_deg: _Optional[float] = ..., fix_age_s: _Optional[float] = ..., captured: _Optional[bool] = ..., flown: _Optional[_Union[Mode, str]] = ...) -> None: ...
+
+class Guard(_message.Message):
+    __slots__ = ("name", "value", "limit", "at_least", "met", "unit")
+    NAME_FIELD_NUMBER: _ClassVar[int]
+    VALUE_FIELD_NUMBER: _ClassVar[int]
+    LIMIT_FIELD_NUMBER: _ClassVar[int]
+    AT_LEAST_FIELD_NUMBER: _ClassVar[int]
+    MET_FIELD_NUMBER: _ClassVar[int]
+    UNIT_FIELD_NUMBER: _ClassVar[int]
+    name: str
+    value: float
+    limit: float
+    at_least: bool
+    met: bool
+    unit: str
+    def __init__(self, name: _Optional[str] = ..., value: _Optional[float] = ..., limit: _Optional[float] = ..., at_least: _Optional[bool] = ..., met: _Optional[bool] = ..., unit: _Optional[str] = ...) -> None: ...
+
+class ModeExit(_message.Message):
+    __slots__ = ("to", "name", "guards", "expected_s")
+    TO_FIELD_NUMBER: _ClassVar[int]
+    NAME_FIELD_NUMBER: _ClassVar[int]
+    GUARDS_FIELD_NUMBER: _ClassVar[int]
+    EXPECTED_S_FIELD_NUMBER: _ClassVar[int]
+    to: Mode
+    name: str
+    guards: _containers.RepeatedCompositeFieldContainer[Guard]
+    expected_s: float
+    def __init__(self, to: _Optional[_Union[Mode, str]] = ..., name: _Optional[str] = ..., guards: _Optional[_Iterable[_Union[Guard, _Mapping]]] = ..., expected_s: _Optional[float] = ...) -> None: ...
+
+class Exits(_message.Message):
+    __slots__ = ("stamp", "mode", "exits")
+    STAMP_FIELD_NUMBER: _ClassVar[int]
+    MODE_FIELD_NUMBER: _ClassVar[int]
+    EXITS_FIELD_NUMBER: _ClassVar[int]
+    stamp: Stamp
+    mode: Mode
+    exits: _containers.RepeatedCompositeFieldContainer[ModeExit]
+    def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., mode: _Optional[_Union[Mode, str]] = ..., exits: _Optional[_Iterable[_Union[ModeExit, _Mapping]]] = ...) -> None: ...
 
 class Control(_message.Message):
     __slots__ = ("stamp", "demanded", "demanded_raw", "achieved", "residual", "frozen")
@@ -385,7 +431,7 @@ class Target(_message.Message):
     def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., detected: _Optional[bool] = ..., measured_range_m: _Optional[float] = ..., bearing_deg: _Optional[float] = ..., elevation_deg: _Optional[float] = ..., position_ned_m: _Optional[_Union[Vector3, _Mapping]] = ..., heading_deg: _Optional[float] = ..., observation_point_ned_m: _Optional[_Union[Vector3, _Mapping]] = ...) -> None: ...
 
 class MissionStatus(_message.Message):
-    __slots__ = ("stamp", "phase", "run_id", "mission_name", "mission_sha256", "duration_s", "elapsed_s", "seed", "end_reason")
+    __slots__ = ("stamp", "phase", "run_id", "mission_name", "mission_sha256", "duration_s", "elapsed_s", "seed", "end_reason", "held_s")
     STAMP_FIELD_NUMBER: _ClassVar[int]
     PHASE_FIELD_NUMBER: _ClassVar[int]
     RUN_ID_FIELD_NUMBER: _ClassVar[int]
@@ -395,6 +441,7 @@ class MissionStatus(_message.Message):
     ELAPSED_S_FIELD_NUMBER: _ClassVar[int]
     SEED_FIELD_NUMBER: _ClassVar[int]
     END_REASON_FIELD_NUMBER: _ClassVar[int]
+    HELD_S_FIELD_NUMBER: _ClassVar[int]
     stamp: Stamp
     phase: MissionPhase
     run_id: str
@@ -404,7 +451,8 @@ class MissionStatus(_message.Message):
     elapsed_s: float
     seed: int
     end_reason: str
-    def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., phase: _Optional[_Union[MissionPhase, str]] = ..., run_id: _Optional[str] = ..., mission_name: _Optional[str] = ..., mission_sha256: _Optional[str] = ..., duration_s: _Optional[float] = ..., elapsed_s: _Optional[float] = ..., seed: _Optional[int] = ..., end_reason: _Optional[str] = ...) -> None: ...
+    held_s: float
+    def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., phase: _Optional[_Union[MissionPhase, str]] = ..., run_id: _Optional[str] = ..., mission_name: _Optional[str] = ..., mission_sha256: _Optional[str] = ..., duration_s: _Optional[float] = ..., elapsed_s: _Optional[float] = ..., seed: _Optional[int] = ..., end_reason: _Optional[str] = ..., held_s: _Optional[float] = ...) -> None: ...
 
 class Plan(_message.Message):
     __slots__ = ("stamp", "file_name", "mission_yaml", "sha256", "path_ned_m")
@@ -563,7 +611,7 @@ class Event(_message.Message):
     def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., severity: _Optional[_Union[Severity, str]] = ..., code: _Optional[str] = ..., text: _Optional[str] = ..., details: _Optional[_Mapping[str, str]] = ...) -> None: ...
 
 class TruthState(_message.Message):
-    __slots__ = ("stamp", "position_ned_m", "attitude", "velocity_body_mps", "angular_rate_body_degps", "actuator_wrench", "current_ned_mps", "effectiveness", "target_position_ned_m")
+    __slots__ = ("stamp", "position_ned_m", "attitude", "velocity_body_mps", "angular_rate_body_degps", "actuator_wrench", "current_ned_mps", "effectiveness", "target_position_ned_m", "contact_force_n", "contact_force_most_n", "nose_depth_m", "nose_offset_m")
     STAMP_FIELD_NUMBER: _ClassVar[int]
     POSITION_NED_M_FIELD_NUMBER: _ClassVar[int]
     ATTITUDE_FIELD_NUMBER: _ClassVar[int]
@@ -573,6 +621,10 @@ class TruthState(_message.Message):
     CURRENT_NED_MPS_FIELD_NUMBER: _ClassVar[int]
     EFFECTIVENESS_FIELD_NUMBER: _ClassVar[int]
     TARGET_POSITION_NED_M_FIELD_NUMBER: _ClassVar[int]
+    CONTACT_FORCE_N_FIELD_NUMBER: _ClassVar[int]
+    CONTACT_FORCE_MOST_N_FIELD_NUMBER: _ClassVar[int]
+    NOSE_DEPTH_M_FIELD_NUMBER: _ClassVar[int]
+    NOSE_OFFSET_M_FIELD_NUMBER: _ClassVar[int]
     stamp: Stamp
     position_ned_m: Vector3
     attitude: Attitude
@@ -582,7 +634,11 @@ class TruthState(_message.Message):
     current_ned_mps: Vector3
     effectiveness: _containers.RepeatedScalarFieldContainer[float]
     target_position_ned_m: Vector3
-    def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., position_ned_m: _Optional[_Union[Vector3, _Mapping]] = ..., attitude: _Optional[_Union[Attitude, _Mapping]] = ..., velocity_body_mps: _Optional[_Union[Vector3, _Mapping]] = ..., angular_rate_body_degps: _Optional[_Union[Vector3, _Mapping]] = ..., actuator_wrench: _Optional[_Union[Wrench, _Mapping]] = ..., current_ned_mps: _Optional[_Union[Vector3, _Mapping]] = ..., effectiveness: _Optional[_Iterable[float]] = ..., target_position_ned_m: _Optional[_Union[Vector3, _Mapping]] = ...) -> None: ...
+    contact_force_n: float
+    contact_force_most_n: float
+    nose_depth_m: float
+    nose_offset_m: float
+    def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., position_ned_m: _Optional[_Union[Vector3, _Mapping]] = ..., attitude: _Optional[_Union[Attitude, _Mapping]] = ..., velocity_body_mps: _Optional[_Union[Vector3, _Mapping]] = ..., angular_rate_body_degps: _Optional[_Union[Vector3, _Mapping]] = ..., actuator_wrench: _Optional[_Union[Wrench, _Mapping]] = ..., current_ned_mps: _Optional[_Union[Vector3, _Mapping]] = ..., effectiveness: _Optional[_Iterable[float]] = ..., target_position_ned_m: _Optional[_Union[Vector3, _Mapping]] = ..., contact_force_n: _Optional[float] = ..., contact_force_most_n: _Optional[float] = ..., nose_depth_m: _Optional[float] = ..., nose_offset_m: _Optional[float] = ...) -> None: ...
 
 class StartMission(_message.Message):
     __slots__ = ("file_name", "mission_yaml", "seed", "operator")
@@ -756,8 +812,24 @@ class Outcome(_message.Message):
     tries: int
     def __init__(self, ending: _Optional[_Union[Ending, str]] = ..., reason: _Optional[str] = ..., basis: _Optional[str] = ..., mode: _Optional[_Union[Mode, str]] = ..., held_s: _Optional[float] = ..., closest_m: _Optional[float] = ..., closest_s: _Optional[float] = ..., true_errors: _Optional[_Union[EndErrors, _Mapping]] = ..., believed_errors: _Optional[_Union[EndErrors, _Mapping]] = ..., tries: _Optional[int] = ...) -> None: ...
 
+class CaptureMetrics(_message.Message):
+    __slots__ = ("captured", "time_s", "seat_time_s", "force_max_n", "force_most_n", "entry_offset_m")
+    CAPTURED_FIELD_NUMBER: _ClassVar[int]
+    TIME_S_FIELD_NUMBER: _ClassVar[int]
+    SEAT_TIME_S_FIELD_NUMBER: _ClassVar[int]
+    FORCE_MAX_N_FIELD_NUMBER: _ClassVar[int]
+    FORCE_MOST_N_FIELD_NUMBER: _ClassVar[int]
+    ENTRY_OFFSET_M_FIELD_NUMBER: _ClassVar[int]
+    captured: bool
+    time_s: float
+    seat_time_s: float
+    force_max_n: float
+    force_most_n: float
+    entry_offset_m: float
+    def __init__(self, captured: _Optional[bool] = ..., time_s: _Optional[float] = ..., seat_time_s: _Optional[float] = ..., force_max_n: _Optional[float] = ..., force_most_n: _Optional[float] = ..., entry_offset_m: _Optional[float] = ...) -> None: ...
+
 class Metrics(_message.Message):
-    __slots__ = ("run_id", "duration_s", "cycles", "residual_rms", "saturation_ratio", "d_u_fr", "d_u_rh", "switches", "modes", "solve_time_mean_us", "solve_time_std_us", "solve_time_p95_us", "solve_time_max_us", "final_range_m", "increment_violations", "demand_step_violations", "residual_rms_true", "missing_cycles", "solved_ratio", "outcome", "d_u_fr_settling", "d_u_rh_settling", "shaft_energy_j", "fin_travel_deg", "screw_reversals")
+    __slots__ = ("run_id", "duration_s", "cycles", "residual_rms", "saturation_ratio", "d_u_fr", "d_u_rh", "switches", "modes", "solve_time_mean_us", "solve_time_std_us", "solve_time_p95_us", "solve_time_max_us", "final_range_m", "increment_violations", "demand_step_violations", "residual_rms_true", "missing_cycles", "solved_ratio", "outcome", "d_u_fr_settling", "d_u_rh_settling", "shaft_energy_j", "fin_travel_deg", "screw_reversals", "capture")
     RUN_ID_FIELD_NUMBER: _ClassVar[int]
     DURATION_S_FIELD_NUMBER: _ClassVar[int]
     CYCLES_FIELD_NUMBER: _ClassVar[int]
@@ -783,6 +855,7 @@ class Metrics(_message.Message):
     SHAFT_ENERGY_J_FIELD_NUMBER: _ClassVar[int]
     FIN_TRAVEL_DEG_FIELD_NUMBER: _ClassVar[int]
     SCREW_REVERSALS_FIELD_NUMBER: _ClassVar[int]
+    CAPTURE_FIELD_NUMBER: _ClassVar[int]
     run_id: str
     duration_s: float
     cycles: int
@@ -808,7 +881,8 @@ class Metrics(_message.Message):
     shaft_energy_j: float
     fin_travel_deg: float
     screw_reversals: int
-    def __init__(self, run_id: _Optional[str] = ..., duration_s: _Optional[float] = ..., cycles: _Optional[int] = ..., residual_rms: _Optional[float] = ..., saturation_ratio: _Optional[float] = ..., d_u_fr: _Optional[float] = ..., d_u_rh: _Optional[float] = ..., switches: _Optional[_Iterable[_Union[SwitchMetrics, _Mapping]]] = ..., modes: _Optional[_Iterable[_Union[ModeMetrics, _Mapping]]] = ..., solve_time_mean_us: _Optional[float] = ..., solve_time_std_us: _Optional[float] = ..., solve_time_p95_us: _Optional[float] = ..., solve_time_max_us: _Optional[float] = ..., final_range_m: _Optional[float] = ..., increment_violations: _Optional[int] = ..., demand_step_violations: _Optional[int] = ..., residual_rms_true: _Optional[float] = ..., missing_cycles: _Optional[int] = ..., solved_ratio: _Optional[float] = ..., outcome: _Optional[_Union[Outcome, _Mapping]] = ..., d_u_fr_settling: _Optional[float] = ..., d_u_rh_settling: _Optional[float] = ..., shaft_energy_j: _Optional[float] = ..., fin_travel_deg: _Optional[float] = ..., screw_reversals: _Optional[int] = ...) -> None: ...
+    capture: CaptureMetrics
+    def __init__(self, run_id: _Optional[str] = ..., duration_s: _Optional[float] = ..., cycles: _Optional[int] = ..., residual_rms: _Optional[float] = ..., saturation_ratio: _Optional[float] = ..., d_u_fr: _Optional[float] = ..., d_u_rh: _Optional[float] = ..., switches: _Optional[_Iterable[_Union[SwitchMetrics, _Mapping]]] = ..., modes: _Optional[_Iterable[_Union[ModeMetrics, _Mapping]]] = ..., solve_time_mean_us: _Optional[float] = ..., solve_time_std_us: _Optional[float] = ..., solve_time_p95_us: _Optional[float] = ..., solve_time_max_us: _Optional[float] = ..., final_range_m: _Optional[float] = ..., increment_violations: _Optional[int] = ..., demand_step_violations: _Optional[int] = ..., residual_rms_true: _Optional[float] = ..., missing_cycles: _Optional[int] = ..., solved_ratio: _Optional[float] = ..., outcome: _Optional[_Union[Outcome, _Mapping]] = ..., d_u_fr_settling: _Optional[float] = ..., d_u_rh_settling: _Optional[float] = ..., shaft_energy_j: _Optional[float] = ..., fin_travel_deg: _Optional[float] = ..., screw_reversals: _Optional[int] = ..., capture: _Optional[_Union[CaptureMetrics, _Mapping]] = ...) -> None: ...
 
 class StreamMessage(_message.Message):
     __slots__ = ("topic", "schema", "payload", "receive_time_ns")
@@ -831,6 +905,45 @@ class StreamFrame(_message.Message):
     messages: _containers.RepeatedCompositeFieldContainer[StreamMessage]
     past: bool
     def __init__(self, server_time_ns: _Optional[int] = ..., messages: _Optional[_Iterable[_Union[StreamMessage, _Mapping]]] = ..., past: _Optional[bool] = ...) -> None: ...
+
+class Alarm(_message.Message):
+    __slots__ = ("id", "code", "severity", "text", "raised_ns", "returned_ns", "acknowledged_ns", "acknowledged_by", "count", "shelved_until_ns", "details")
+    class DetailsEntry(_message.Message):
+        __slots__ = ("key", "value")
+        KEY_FIELD_NUMBER: _ClassVar[int]
+        VALUE_FIELD_NUMBER: _ClassVar[int]
+        key: str
+        value: str
+        def __init__(self, key: _Optional[str] = ..., value: _Optional[str] = ...) -> None: ...
+    ID_FIELD_NUMBER: _ClassVar[int]
+    CODE_FIELD_NUMBER: _ClassVar[int]
+    SEVERITY_FIELD_NUMBER: _ClassVar[int]
+    TEXT_FIELD_NUMBER: _ClassVar[int]
+    RAISED_NS_FIELD_NUMBER: _ClassVar[int]
+    RETURNED_NS_FIELD_NUMBER: _ClassVar[int]
+    ACKNOWLEDGED_NS_FIELD_NUMBER: _ClassVar[int]
+    ACKNOWLEDGED_BY_FIELD_NUMBER: _ClassVar[int]
+    COUNT_FIELD_NUMBER: _ClassVar[int]
+    SHELVED_UNTIL_NS_FIELD_NUMBER: _ClassVar[int]
+    DETAILS_FIELD_NUMBER: _ClassVar[int]
+    id: str
+    code: str
+    severity: Severity
+    text: str
+    raised_ns: int
+    returned_ns: int
+    acknowledged_ns: int
+    acknowledged_by: str
+    count: int
+    shelved_until_ns: int
+    details: _containers.ScalarMap[str, str]
+    def __init__(self, id: _Optional[str] = ..., code: _Optional[str] = ..., severity: _Optional[_Union[Severity, str]] = ..., text: _Optional[str] = ..., raised_ns: _Optional[int] = ..., returned_ns: _Optional[int] = ..., acknowledged_ns: _Optional[int] = ..., acknowledged_by: _Optional[str] = ..., count: _Optional[int] = ..., shelved_until_ns: _Optional[int] = ..., details: _Optional[_Mapping[str, str]] = ...) -> None: ...
+
+class Alarms(_message.Message):
+    __slots__ = ("alarms",)
+    ALARMS_FIELD_NUMBER: _ClassVar[int]
+    alarms: _containers.RepeatedCompositeFieldContainer[Alarm]
+    def __init__(self, alarms: _Optional[_Iterable[_Union[Alarm, _Mapping]]] = ...) -> None: ...
 
 class ServerStatus(_message.Message):
     __slots__ = ("time_ns", "vehicle_id", "link", "telemetry_age_s", "recording", "recording_run_id", "recorded_bytes", "recorder_dropped", "node_restarts", "stream_clients", "server_version", "node_managed", "recorder_trouble", "topics", "clock_offset_s", "bus_notice", "set_aside")

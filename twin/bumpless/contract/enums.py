@@ -9,6 +9,7 @@ MODES = (FORWARD, REVERSE, HOVER)
 IDLE, RUNNING, PAUSED, COMPLETED, ABORTED = 1, 2, 3, 4, 5  # MissionPhase
 FLYING = (RUNNING, PAUSED)  # a mission is being flown
 ENDED = (COMPLETED, ABORTED)
+MOVING = (RUNNING, PAUSED, COMPLETED)  # an actuator may move: after its mission a vehicle holds station
 
 # SolveStatus, of a QP as of a cycle's allocation: optimal within tolerance; feasible, but not shown to be
 # optimal; bounds contradict each other, the nearest point is held; the chosen solver failed, the built-in
@@ -17,7 +18,9 @@ SOLVED, BUDGET_SPENT, INFEASIBLE, FALLBACK, REFUSED = 1, 2, 3, 4, 5
 
 INFO, WARNING, ALARM = 1, 2, 3  # Severity
 
-TRANSIT, ENTRY, APPROACH, BACK, HOLD = 1, 2, 3, 4, 5  # DockingStage; 0 where the published automaton flies
+# DockingStage; 0 where the published automaton flies
+TRANSIT, ENTRY, APPROACH, BACK, HOLD, CREEP, CAPTURED = 1, 2, 3, 4, 5, 6, 7
+WAVED_OFF_STAGES = (BACK, HOLD)  # on the way back from the dock, and holding clear of it for good
 
 # WaveOffReason; 0 before the first wave-off
 TARGET_LOST, OFF_LINE, OFF_HEADING, OFF_DEPTH, OVERSHOT = 1, 2, 3, 4, 5

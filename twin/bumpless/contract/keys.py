@@ -43,6 +43,7 @@ TOPICS: dict[str, Topic] = {
         Topic("allocation", pb.Allocation, None),
         Topic("actuators", pb.Actuators, None),
         Topic("target", pb.Target, None),
+        Topic("exits", pb.Exits, 5.0),
         Topic("mission", pb.MissionStatus, 2.0, on_change=True),
         Topic("plan", pb.Plan, 0.5, on_change=True),
         Topic("parameters", pb.ParametersStatus, 1.0, on_change=True),

@@ -10,6 +10,7 @@ from math import hypot, sqrt
 from bumpless.contract.enums import ABORTED, COMPLETED, FORWARD, HOLD, HOVER, IDLE, PAUSED, RUNNING
 from bumpless.control.allocation.allocate import achieve, allocate
 from bumpless.control.allocation.slack import report_slack, soften
+from bumpless.control.docking.creep import note_capture, note_still
 from bumpless.control.docking.step import (
     is_in_place,
     look_docking,
@@ -49,7 +50,11 @@ def autopilot_cycle(handle, onboard, m):
     phase = orders.phase
     if phase != IDLE:
         locate(settings, onboard.sensors, onboard.model, m, s, out.navigation)
-    if phase == IDLE or phase == ABORTED:
+    captured = phase != IDLE and m.captured == 1
+    if captured:
+        note_capture(s.clock.cycle, s.docking)
+        count_hover(True, s.supervisor)
+    if phase == IDLE or phase == ABORTED or captured:
         see_flow(settings.guidance, s.navigation.smooth_nu_r, out.navigation.nu_flow)
         stop_actuators(settings.dt, onboard.model, out.navigation.nu_flow, s, out)
     else:
@@ -82,7 +87,8 @@ def fly_cycle(handle, onboard, m):
     """From a located vehicle to its commands."""
     settings, plan, model, s = onboard.settings, onboard.plan, onboard.model, onboard.state
     out, cycle, dt = onboard.output, onboard.state.clock.cycle, onboard.settings.dt
-    holding = onboard.orders.phase == PAUSED
+    docks, phase = settings.docking.enabled == 1, onboard.orders.phase
+    holding = is_holding(phase, docks, s.supervisor.mode)
     if settings.allocation.estimate == 1:
         estimate_effectiveness(
             dt, settings.allocation.fault_evidence, onboard.sensors, model, m, s.navigation,
@@ -90,7 +96,7 @@ def fly_cycle(handle, onboard, m):
         )  # fmt: skip
     if m.fresh == 1:
         filter_detection(settings.supervisor, out.navigation.sighted, s.supervisor)
-    situation, docks = out.situation, settings.docking.enabled == 1
+    situation = out.situation
     switched = onboard.orders.change == 1
     if docks:
         look_docking(dt, plan, out.navigation.sighted, s, situation, out.docking)
@@ -98,7 +104,7 @@ def fly_cycle(handle, onboard, m):
             start_as_found(model, m, s)
     else:
         look(plan, s.navigation, situation)
-    if not holding:
+    if phase != PAUSED and (docks or phase != COMPLETED):
         mode = choose_mode(onboard)
         if mode != s.supervisor.mode:
             change_mode(mode, cycle, s.supervisor)
@@ -107,8 +113,11 @@ def fly_cycle(handle, onboard, m):
         in_place = is_in_place(s, holding, situation.range, out.docking)
     else:
         in_place = in_range(settings.supervisor, situation.range, holding, s.supervisor)
+    if plan.dock == 1:
+        note_still(in_place, s.docking)
+        in_place = False  # it is when captured
     count_hover(in_place, s.supervisor)
-    orient(settings.supervisor, onboard.orders, s, situation)
+    orient(settings.supervisor, onboard.orders, holding, s, situation)
     sway = model.controllable[1] > 0.0
     if docks:
         refer_docking(settings, plan, s, situation, sway, out.docking, out.guidance)
@@ -119,11 +128,20 @@ def fly_cycle(handle, onboard, m):
 
 
 @jit
+def is_holding(phase, docks, mode):
+    """Whether station is held at `orders.hold_point`, in H: in a pause, and after a mission that is over
+    elsewhere than in H. The docking automaton has a hold of its own.
+    """
+    return phase == PAUSED or (phase == COMPLETED and not docks and mode != HOVER)
+
+
+@jit
 def choose_mode(onboard):
     """The mode for this cycle: by the docking automaton, or by the published one."""
     settings, plan, s, situation = onboard.settings, onboard.plan, onboard.state, onboard.output.situation
     if settings.docking.enabled == 1:
-        return stage_mode(settings, plan, onboard.orders.phase, s, situation, onboard.output.docking)
+        phase, view = onboard.orders.phase, onboard.output.docking
+        return stage_mode(settings, plan, onboard.model, phase, s, situation, view)
     going_around = s.guidance.leg >= plan.n_legs
     return supervise(settings.supervisor, s.supervisor, s.clock.cycle, situation.range, going_around)
 
@@ -138,9 +156,8 @@ def look(plan, navigation, situation):
 
 
 @jit
-def orient(settings, orders, s, situation):
+def orient(settings, orders, holding, s, situation):
     """Fill the rest of the SITUATION. settings: SUPERVISOR_SETTINGS; s: STATE."""
-    holding = orders.phase == PAUSED
     situation.mode = HOVER if holding else s.supervisor.mode
     situation.holding = 1 if holding else 0
     if holding:

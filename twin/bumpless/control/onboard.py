@@ -35,7 +35,7 @@ ORDERS = np.dtype(
     [
         ("phase", i8),  # IDLE, RUNNING, PAUSED, COMPLETED or ABORTED; a cycle may complete a mission
         ("change", i8),  # 1: other parameters or another phase since the last cycle, so a ramp begins
-        ("hold_point", f8, 4),  # where to stay while PAUSED: NED and heading
+        ("hold_point", f8, 4),  # where to stay while PAUSED or COMPLETED: NED and heading
     ],
     align=True,
 )

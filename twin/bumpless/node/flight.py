@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 import numpy as np
 
 from bumpless.contract import bumpless_pb2 as pb
-from bumpless.contract.enums import ALARM, FLYING, PAUSED, RUNNING, WARNING
+from bumpless.contract.enums import ALARM, FLYING, MOVING, PAUSED, RUNNING, WARNING
 from bumpless.sim.events import TwinEvent
 from bumpless.telemetry import FlightState
 
@@ -74,8 +74,8 @@ class Flight:
         return self._done("mission resumed")
 
     def abort(self, reason: str = "aborted by the operator") -> pb.CommandReply:
-        """End the mission at once."""
-        if self.twin.phase not in FLYING:
+        """Stop all actuators at once: while one may move, this is not refused."""
+        if self.twin.phase not in MOVING:
             return self.refuse("abort", f"nothing is flown; the phase is {phase_name(self.twin.phase)}")
         self.twin.abort(reason)
         return self._done(reason)

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from queue import Empty, SimpleQueue
 
 from bumpless.contract import bumpless_pb2 as pb
-from bumpless.contract.enums import FLYING, RUNNING
+from bumpless.contract.enums import MOVING, RUNNING
 from bumpless.node.flight import Flight
 from bumpless.node.histogram import Histogram
 from bumpless.node.pacing import Clock
@@ -80,7 +80,7 @@ class ControlLoop:
             self._clock.start()
             while not self._stop_reason:
                 self._cycle()
-            if self._flight.twin.phase in FLYING:
+            if self._flight.twin.phase in MOVING:
                 self._flight.abort(self._stop_reason)
                 self._cycle()
         except Exception as fault:  # reported by the main thread, which ends the process

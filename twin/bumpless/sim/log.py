@@ -19,6 +19,9 @@ LOG = np.dtype(
         ("range", f8),  # to the observation point, m
         ("detected_raw", i8),
         ("detected", i8),  # after the filter
+        ("flown", i8),  # mode whose gains and weights count: H while holding station; 0: actuators at rest
+        ("hits", i8),  # camera frames of the filter's window that show the target
+        ("hold_left", i8),  # camera frames that a detection still lasts without one
         # navigation estimate
         ("eta_hat", f8, 6),
         ("nu_hat", f8, 6),
@@ -76,6 +79,12 @@ LOG = np.dtype(
         ("effectiveness", f8, _n),
         ("range_true", f8),  # to the true target's observation point, m
         ("target_true", f8, 3),  # NED
+        # a dock to enter; zero where there is none
+        ("captured", i8),  # its latch has closed
+        ("contact_force", f8),  # largest sum of normal forces in the period before, N
+        ("contact_most", f8),  # what dock and hull bear, N
+        ("nose_depth", f8),  # of the nose behind the entry, m
+        ("nose_offset", f8),  # of the nose from the axis, m
     ],
     align=True,
 )

@@ -2,6 +2,7 @@
 
 from math import hypot, nan
 
+from bumpless.contract.enums import ABORTED, IDLE
 from bumpless.control.guidance.station import observation_point
 from bumpless.jit import jit
 from bumpless.jit.memory import floats
@@ -19,6 +20,7 @@ def write_row(onboard, world, phase, row):
     row.range = out.situation.range
     row.cross_track, row.along_track = out.guidance.cross_track, out.guidance.along_track
     write_supervisor(settings, cycle, s, row)
+    row.flown = 0 if phase == IDLE or phase == ABORTED else out.situation.mode
     write_navigation(s.navigation, row)
     write_control(s, out, row)
     write_allocation(onboard.model, s, out, row)
@@ -33,6 +35,7 @@ def write_row(onboard, world, phase, row):
     write_docking(settings, s.docking, out.docking, row)
     row.held = s.supervisor.hover_cycles * settings.dt
     write_truth(onboard.model.n_u, world.truth, world.plant, row)
+    write_dock(world.truth.environment.dock, row)
     if s.docking.stage > 0:
         write_true_range(world.truth, world.plant, heading, row)
 
@@ -62,6 +65,11 @@ def write_supervisor(settings, cycle, s, row):
     row.mode, row.previous_mode = supervisor.mode, supervisor.previous_mode
     row.kappa, row.detected = s.switching.kappa, supervisor.detected
     row.time_in_mode = max(0, cycle - max(supervisor.switch_cycle, 0)) * settings.dt
+    row.hits, bits = 0, supervisor.history
+    while bits:
+        bits &= bits - 1
+        row.hits += 1
+    row.hold_left = supervisor.hold_left
     waited = cycle - supervisor.switch_cycle
     row.dwell_remaining = max(0, settings.supervisor.n_dwell - waited) * settings.dt
 
@@ -117,6 +125,14 @@ def write_faults(settings, model, s, row):
         row.effectiveness_hat[i] = estimated if settings.estimate == 1 else s.belief.effectiveness[i]
         row.fault_evidence[i] = e.evidence[i]
         row.faults |= e.faulty[i] << i
+
+
+@jit
+def write_dock(dock, row):
+    """How the hull meets a dock to enter."""
+    row.captured, row.contact_most = dock.captured, dock.force_most
+    row.contact_force, row.nose_depth = dock.felt.peak, dock.felt.nose_depth
+    row.nose_offset = dock.felt.nose_offset
 
 
 @jit

@@ -13,11 +13,11 @@ import numpy as np
 from bumpless.config.mission import Mission
 from bumpless.config.parameters import Parameters, default_parameters, with_overrides
 from bumpless.config.vehicle import Vehicle
-from bumpless.contract.enums import ABORTED, COMPLETED, FORWARD, IDLE, PAUSED, RUNNING, WARNING
+from bumpless.contract.enums import ABORTED, COMPLETED, FORWARD, HOVER, IDLE, PAUSED, RUNNING, WARNING
 from bumpless.control.allocation.qp import make_handle
 from bumpless.control.onboard import ONBOARD
 from bumpless.control.reset import reset_state
-from bumpless.physics.model import build_model
+from bumpless.physics.model import build_model, fill_flow
 from bumpless.physics.plant import observe_plant
 from bumpless.physics.sensors import N_NOISE
 from bumpless.sim.cycle import fly
@@ -110,6 +110,8 @@ class Twin:
         onboard, world = self.onboard, self.world
         onboard["sensors"] = world["sensors"] = sensors_of(self.vehicle, mission)[0]
         world["truth"], world["model"] = truth_of(mission, self.vehicle)[0], onboard["model"]
+        if mission.actuator_flow:
+            fill_flow(world["model"], self.vehicle)
         load(world["model"], mission.trim)
         if alter is not None:
             alter(world["model"], world["truth"])
@@ -117,7 +119,7 @@ class Twin:
         if self.parameters.docking.enabled:
             start_shafts(onboard["model"], world["truth"], world["plant"])
         observe_plant(world["model"], world["truth"]["environment"], world["plant"])
-        onboard["plan"] = plan_of(mission, self.period_s)[0]
+        onboard["plan"] = plan_of(mission, self.vehicle)[0]
         told = self.parameters.allocation.effectiveness == "known"
         tell(world["truth"], onboard["plan"], faults=told)
         clear(world["measurement"])  # nothing of an earlier run is left, not even in rounding
@@ -134,6 +136,12 @@ class Twin:
 
     def pause(self) -> None:
         """Brake, and hold station where the vehicle can stop until `resume`; the supervisor is frozen."""
+        self._hold(PAUSED)
+        self._paused_at = int(self._state["clock"]["cycle"])
+        self.events.add("mission_paused", "Mission paused; holding station.", {})
+
+    def _hold(self, phase: int) -> None:
+        """Brake in `phase`, and hold station where the vehicle can stop."""
         eta, surge = self._state["navigation"]["eta"], float(self._state["navigation"]["nu"][0])
         ahead, psi = self._stopping_distance(surge), eta[5]
         self._orders["hold_point"] = [
@@ -142,9 +150,7 @@ class Twin:
             eta[2],
             psi,
         ]
-        self._order(PAUSED, change=True)
-        self._paused_at = int(self._state["clock"]["cycle"])
-        self.events.add("mission_paused", "Mission paused; holding station.", {})
+        self._order(phase, change=True)
 
     def _stopping_distance(self, surge: float) -> float:
         """Way from `surge` (m/s) to rest: half the ramp at this speed, then all reverse thrust, m."""
@@ -162,9 +168,13 @@ class Twin:
         self.events.add("mission_resumed", "Mission resumed.", {})
 
     def abort(self, reason: str) -> None:
-        """Stop every actuator as fast as its bounds allow."""
+        """Stop every actuator as fast as its bounds allow; also of a vehicle that holds after its mission."""
+        over = self.phase == COMPLETED
         self._orders["phase"] = ABORTED
-        self.events.add("mission_aborted", f"Mission aborted: {reason}.", {"reason": reason}, WARNING)
+        code, what = (
+            ("actuators_stopped", "Actuators stopped") if over else ("mission_aborted", "Mission aborted")
+        )
+        self.events.add(code, f"{what}: {reason}.", {"reason": reason}, WARNING)
 
     def set_parameters(self, parameters: Parameters) -> None:
         """Fly with other parameters from the next cycle on, blended in over the present mode's ramp."""
@@ -183,7 +193,15 @@ class Twin:
         self._last_bytes[:] = self._row_bytes
         if self.phase != phase:
             completed_event(self.events, row)
+            self._stay(float(row["time"]))
         return row
+
+    def _stay(self, time_s: float) -> None:
+        """After the mission: hold station until told otherwise, and say so."""
+        if not self.parameters.docking.enabled and self._state["supervisor"]["mode"] != HOVER:
+            self._hold(COMPLETED)
+        text = "Holding station until told otherwise; abort stops all actuators, and the vehicle then drifts."
+        self.events.add("holding_station", text, {}, time_s=time_s)
 
     @property
     def cycles(self) -> int:

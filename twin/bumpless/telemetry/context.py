@@ -8,7 +8,7 @@ from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.units import EDGE_PER_SI
 
 if TYPE_CHECKING:
-    from bumpless.config.parameters import Parameters, SupervisorParameters
+    from bumpless.config.parameters import DockingParameters, Parameters, SupervisorParameters
     from bumpless.config.vehicle import Vehicle
 
 
@@ -35,7 +35,9 @@ class Context:
 
     actuators: tuple[ActuatorContext, ...]
     supervisor: "SupervisorParameters"
+    docking: "DockingParameters"
     solver: str
+    period_s: float  # of control
     start_time_ns: int = 0  # UNIX time of mission time 0, for rows that carry no time of their own
 
     @cached_property
@@ -62,7 +64,9 @@ class Context:
 
     def with_parameters(self, parameters: "Parameters") -> "Context":
         """The same vehicle flying with other parameters."""
-        return replace(self, supervisor=parameters.supervisor, solver=_solver(parameters))
+        return replace(
+            self, supervisor=parameters.supervisor, docking=parameters.docking, solver=_solver(parameters)
+        )
 
 
 def make_context(vehicle: "Vehicle", parameters: "Parameters", start_time_ns: int = 0) -> Context:
@@ -72,7 +76,14 @@ def make_context(vehicle: "Vehicle", parameters: "Parameters", start_time_ns: in
         ActuatorContext(c.name, c.unit, EDGE_PER_SI[c.unit], c.lower, c.upper, owners.index(c.actuator))
         for c in vehicle.commands
     )
-    return Context(actuators, parameters.supervisor, _solver(parameters), start_time_ns)
+    return Context(
+        actuators,
+        parameters.supervisor,
+        parameters.docking,
+        _solver(parameters),
+        vehicle.control_period_s,
+        start_time_ns,
+    )
 
 
 def _solver(parameters: "Parameters") -> str:

@@ -59,7 +59,7 @@ def mission_status(
         message.mission_name = state.mission.name
         message.mission_sha256 = state.mission.sha256
         message.duration_s = state.mission.duration_s + held_s
-        message.elapsed_s = stamp.mission_time_s
+        message.elapsed_s, message.held_s = stamp.mission_time_s, held_s
     return message
 
 

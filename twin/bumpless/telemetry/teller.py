@@ -12,6 +12,7 @@ from bumpless.contract.keys import TOPICS
 from bumpless.telemetry import status
 from bumpless.telemetry.context import make_context
 from bumpless.telemetry.cycle import messages
+from bumpless.telemetry.exits import exits
 
 if TYPE_CHECKING:
     from bumpless.config.parameters import Parameters
@@ -78,6 +79,8 @@ class Teller:
         own = messages(row, self._context, time_ns, cycle)
         stamp: pb.Stamp = own[0][1].stamp  # type: ignore[attr-defined]
         own = [one for one in own if self._due(one[0].removeprefix("tlm/"))]
+        if self._due("exits"):
+            own.append(("tlm/exits", exits(row, self._context, stamp)))
         self._stamp = stamp
         phase = int(row["phase"])
         events = [("event", self._event(stamp, one)) for one in happened]

@@ -1,0 +1,46 @@
+"""Alarms: those there are and were; seen, or kept out of the way for a time."""
+
+from typing import Annotated
+
+from fastapi import APIRouter, Body, Response
+
+from bumpless.contract.messages import as_json
+from bumpless_server.web.answers.alarms import Alarm, AlarmsAnswer
+from bumpless_server.web.answers.refusal import REFUSALS
+from bumpless_server.web.errors import Refusal
+from bumpless_server.web.routes import Served
+
+router = APIRouter(prefix="/api/alarms", responses=REFUSALS)
+By = Annotated[str, Body(max_length=80, embed=True)]
+LONGEST_S = 8 * 3600.0
+
+
+@router.get("")
+def alarms(console: Served) -> AlarmsAnswer:
+    """All alarms."""
+    open_, over = (
+        [Alarm.model_validate(as_json(alarm.message())) for alarm in found]
+        for found in (console.alarms.open(), console.alarms.history())
+    )
+    return AlarmsAnswer(open=open_, history=over)
+
+
+@router.post("/{alarm}/acknowledge", status_code=204)
+def acknowledge(console: Served, alarm: str, by: By = "operator") -> Response:
+    """Somebody has seen it. One whose cause has gone is over with that."""
+    if not console.alarms.acknowledge(alarm, by):
+        raise Refusal(404, f"there is no alarm {alarm!r}: it may be over")
+    return Response(status_code=204)
+
+
+@router.post("/{alarm}/shelve", status_code=204)
+def shelve(
+    console: Served,
+    alarm: str,
+    seconds: Annotated[float, Body(gt=0.0, le=LONGEST_S, embed=True)] = 600.0,
+    by: By = "operator",
+) -> Response:
+    """Keep it out of the way for a time; it comes back by itself."""
+    if not console.alarms.shelve(alarm, seconds, by):
+        raise Refusal(404, f"there is no alarm {alarm!r}: it may be over")
+    return Response(status_code=204)
