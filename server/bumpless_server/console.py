@@ -29,6 +29,7 @@ from bumpless_server.live.clock import VehicleClock
 from bumpless_server.live.desk import Busy, Command, Desk
 from bumpless_server.live.dispatch import Dispatcher
 from bumpless_server.live.freshness import freshness
+from bumpless_server.live.heart import Heart
 from bumpless_server.live.intake import Intake
 from bumpless_server.live.open_bus import bus_notice
 from bumpless_server.live.sample import EVENT, Sample
@@ -155,6 +156,9 @@ class Console:
             stack.callback(self.alarms.stop)
             stack.callback(self.bus.close)
             self.bus.open()
+            heart = Heart(self.bus.beat)
+            heart.start()
+            stack.callback(heart.stop)
             indexing = threading.Thread(target=self._index, name="catalogue", daemon=True)
             indexing.start()
             stack.callback(indexing.join)
