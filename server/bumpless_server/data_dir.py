@@ -12,7 +12,7 @@ class DataDirError(RuntimeError):
 
 
 class DataDir:
-    """data_dir/{runs,missions,presets,limits}, alarms.json, index.sqlite, node.json, node.log, secret, a lock."""
+    """What the server keeps, each in its place below one folder, and the lock."""
 
     def __init__(self, root: Path) -> None:
         self.root = root
@@ -20,6 +20,8 @@ class DataDir:
         self.missions = root / "missions"
         self.presets = root / "presets"
         self.limits = root / "limits"
+        self.bin = root / "bin"
+        self.words = root / "words.json"
         self.alarms = root / "alarms.json"
         self.index = root / "index.sqlite"
         self.node_record = root / "node.json"

@@ -24,6 +24,7 @@ from bumpless_server.web.routes import (
     parameters,
     replay,
     runs,
+    shelf,
     status,
     stream,
 )
@@ -31,7 +32,8 @@ from bumpless_server.web.routes import (
 log = logging.getLogger(__name__)
 
 ROUTERS = tuple(
-    part.router for part in (status, alarms, compare, missions, parameters, declared, replay, runs, stream)
+    part.router
+    for part in (status, alarms, compare, missions, parameters, declared, replay, runs, shelf, stream)
 )
 
 
