@@ -97,8 +97,8 @@ pictures: $(DONE)/compiled $(DONE)/dev console chromium docs  ## renew the pictu
 	@$(PY) -m tests.console.pictures
 
 MINUTES ?= 10
-results: $(DONE)/compiled  ## reproduce the paper and renew docs/results.md
-	$(BIN)/bumpless reproduce --out build/reproduce
+results: $(DONE)/compiled  ## fly the outcomes, reproduce the paper and renew docs/results.md (ARGS="--only outcome")
+	$(BIN)/bumpless reproduce --out build/reproduce $(ARGS)
 	@$(PY) -m bumpless_paper.results_page build/reproduce/reproduce.json
 
 docs: $(DONE)/build  ## build the docs, which the server shows as Help

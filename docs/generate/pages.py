@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from docs.generate import campaigns, cli, contract, equations, python_face, rest, settings
+from docs.generate import campaigns, cli, contract, equations, python_face, rest, settings, tuning
 
 MADE = {
     "reference/campaign.md": campaigns.page,
@@ -19,4 +19,6 @@ def made(docs: Path) -> dict[str, str]:
     texts = {name: page() for name, page in MADE.items()}
     method = docs / "method.md"
     texts["method.md"] = equations.filled(method.read_text(encoding="utf-8"))
+    found = docs / "tuning.md"
+    texts["tuning.md"] = tuning.filled(found.read_text(encoding="utf-8"))
     return texts

@@ -5,25 +5,38 @@ It has threads of its own and knows no event loop: a stalled web server cannot h
 
 import contextlib
 import logging
+import secrets
 import threading
 import time
+from concurrent.futures import Future
 from pathlib import Path
-
-from google.protobuf.message import Message
 
 from bumpless.config.vehicle import Vehicle, VehicleError, parse_vehicle
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.version import software_version
-from bumpless.runs.names import COMPLETE
+from bumpless.runs.names import COMPLETE, DESCRIPTION
 from bumpless.runs.view import View
 from bumpless_server.alarms.limits import read_limits
 from bumpless_server.alarms.watch import Watch
+from bumpless_server.audit import Audit
 from bumpless_server.data_dir import DataDir
-from bumpless_server.live.bus import Bus, NoAnswer
+from bumpless_server.foresight.checked import Findings
+from bumpless_server.foresight.foresight import Foresight
+from bumpless_server.live.ask import NoAnswer
+from bumpless_server.live.bus import Bus
+from bumpless_server.live.clock import VehicleClock
+from bumpless_server.live.desk import Busy, Command, Desk
 from bumpless_server.live.dispatch import Dispatcher
+from bumpless_server.live.freshness import freshness
+from bumpless_server.live.intake import Intake
+from bumpless_server.live.open_bus import bus_notice
 from bumpless_server.live.sample import EVENT, Sample
+from bumpless_server.live.speaker import Speaker
 from bumpless_server.live.state import State
 from bumpless_server.live.stream import Stream
+from bumpless_server.live.tally import KINDS, Tally, printable
+from bumpless_server.live.tuned import Tuned
+from bumpless_server.plan.library import Library
 from bumpless_server.plan.missions import Missions
 from bumpless_server.plan.presets import Presets
 from bumpless_server.runs.catalogue import Catalogue
@@ -39,6 +52,8 @@ from bumpless_server.views.ready import envelopes_ready
 
 log = logging.getLogger(__name__)
 
+RIVAL_PAUSE_S = 60.0  # between two alarms about one and the same
+MOST_RIVALS = 100
 _LEVELS = {pb.SEVERITY_WARNING: logging.WARNING, pb.SEVERITY_ALARM: logging.ERROR}
 
 
@@ -51,10 +66,13 @@ class Console:
         self.data = DataDir(settings.data_dir)
         self.state = State(settings.vehicle_id)
         self.missions = Missions(self.data.missions, vehicle=self.vehicle)
+        self.library = Library(self.missions, self.data)
         self.presets = Presets(self.data.presets)
+        self.findings = Findings()
+        self.foresight = Foresight(self.vehicle)  # on the web's loop, which ends it
         self.catalogue = Catalogue(self.data.runs, self.data.index)
         self.replays = Replays()
-        self.shelf = Shelf(self.data.words, self.data.bin)
+        self.shelf = Shelf(self.data.words, self.data.run_bin)
         self.recorder = Recorder(
             self.data.runs,
             self.say,
@@ -75,14 +93,37 @@ class Console:
             self._tell,
         )
         self.stream = Stream(self.state)
-        self.dispatcher = Dispatcher(self.state, self.status, self._on_link)
+        self.tally, self.clock, self.speaker = Tally(self._set_aside), VehicleClock(), Speaker()
+        self.dispatcher = Dispatcher(
+            self.state,
+            self.status,
+            self._on_link,
+            Intake(self.tally, self.speaker, self.clock, self._rival),
+            self.recorder.offer,
+        )
         self.bus = Bus(
             self.state.vehicle_id,
             settings.zenoh_listen,
             settings.zenoh_connect,
             self.dispatcher.sample,
             self.dispatcher.alive,
+            self.speaker,
+            self.tally,
+            self._rival,
         )
+        self.bus_notice = bus_notice(settings.zenoh_listen, settings.zenoh_connect)
+        self.audit = Audit(self.data.audit)
+        self.desk = Desk(
+            self.bus.command,
+            lambda: self.speaker.session,
+            self.clock,
+            settings.command_timeout_s,
+            self.audit,
+            self.tally,
+        )
+        self.tuned = Tuned(self.state)
+        self.state.subscribe(self._heard)
+        self._rivals: dict[str, float] = {}  # when each was told of, s
         self.supervisor = Supervisor(
             node_command(settings), self.data.node_log, self.data.node_record, self.say, self._ask_node_to_end
         )
@@ -90,6 +131,7 @@ class Console:
         self.started = False
         self._stopping = False  # losing the node is then no alarm
         self._vehicle: tuple[str, Vehicle] | None = None
+        self._unread = ""
         self._stop = contextlib.ExitStack()
 
     def start(self) -> None:
@@ -99,6 +141,7 @@ class Console:
         with contextlib.ExitStack() as stack:
             self.data.open()
             stack.callback(self.data.close)
+            self.audit.open()
             self.shelf.open()
             self.catalogue.open()
             stack.callback(self.catalogue.close)
@@ -108,17 +151,20 @@ class Console:
             stack.callback(self.recorder.stop)
             self.dispatcher.start()
             stack.callback(self.dispatcher.stop)
+            stack.callback(self.desk.close)
             self.state.subscribe(self.alarms.offer)
             self.alarms.start()
             stack.callback(self.alarms.stop)
-            self.bus.open()
             stack.callback(self.bus.close)
+            self.bus.open()
             indexing = threading.Thread(target=self._index, name="catalogue", daemon=True)
             indexing.start()
             stack.callback(indexing.join)
             if self.settings.manage_node:
-                self.supervisor.start()
                 stack.callback(self.supervisor.stop)
+                self.supervisor.start()
+            if self.bus_notice:
+                self.say(pb.SEVERITY_WARNING, "bus_open", self.bus_notice, {})
             self._stop = stack.pop_all()
         self.started = True
 
@@ -145,11 +191,11 @@ class Console:
             stream_clients=len(self.stream),
             server_version=self.version,
             node_managed=self.settings.manage_node,
+            topics=freshness(self.state),
+            clock_offset_s=self.clock.offset_s,
+            bus_notice=self.bus_notice,
+            set_aside=self.tally.total,
         )
-
-    def command(self, verb: str, request: Message) -> pb.CommandReply:
-        """Ask the vehicle. Blocks; raises NoAnswer."""
-        return self.bus.command(verb, request, self.settings.command_timeout_s)
 
     def vehicle(self) -> Vehicle | None:
         """The vehicle as it describes itself on the bus; None when it has not, or not in our terms."""
@@ -160,10 +206,21 @@ class Console:
             try:
                 vehicle = parse_vehicle(description.vehicle_toml, f"{description.vehicle_id}.toml")
             except VehicleError as error:
-                log.warning("the vehicle's description cannot be read: %s", error)
+                if self._unread != description.vehicle_toml:
+                    log.warning("the vehicle's description cannot be read: %s", printable(str(error)))
+                self._unread = description.vehicle_toml
                 return None
             self._vehicle = (description.vehicle_toml, vehicle)
         return self._vehicle[1]
+
+    def left_out(self) -> list[tuple[str, str, str]]:
+        """(folder, name, reason) of what lies in the data folder and stands in no list."""
+        folders = {"runs": self.catalogue, "missions": self.missions, "presets": self.presets}
+        return [
+            (folder, name, reason)
+            for folder, kept in folders.items()
+            for name, reason in kept.left_out().items()
+        ]
 
     def say(self, severity: pb.Severity, code: str, text: str, details: dict[str, str]) -> None:
         """Tell the operator something of the server's own, as an event beside the vehicle's."""
@@ -177,6 +234,45 @@ class Console:
         )
         payload = event.SerializeToString()
         self.dispatcher.sample(Sample(EVENT, event.DESCRIPTOR.full_name, payload, from_vehicle=False))
+
+    def _set_aside(self, kind: str, example: str) -> None:
+        """Tell once of each kind that something is not taken as it comes."""
+        self.say(
+            pb.SEVERITY_WARNING, "set_aside", f"{KINDS[kind]} ({example})", {"kind": kind, "last": example}
+        )
+
+    def _rival(self, session: str, said: str) -> None:
+        """Tell of somebody else who speaks for the vehicle: at once, then no more than once a minute."""
+        now = time.monotonic()
+        if now - self._rivals.get(session, -RIVAL_PAUSE_S) < RIVAL_PAUSE_S or len(self._rivals) > MOST_RIVALS:
+            return
+        self._rivals[session] = now
+        who = f"session {session}" if session else "a session without an id"
+        text = f"Somebody else speaks for {self.state.vehicle_id} on the bus and is not listened to: {who}"
+        self.say(pb.SEVERITY_ALARM, "second_speaker", text, {"session": session, "said": said})
+
+    def _heard(self, sample: Sample) -> None:
+        if sample.topic == DESCRIPTION and self.settings.manage_node:
+            self._tune_again()
+
+    def _tune_again(self) -> None:
+        """A node that came back from a crash gets what the operator had tuned it with."""
+        parameters = self.tuned.forgotten()
+        if parameters is None:
+            return
+
+        def told(future: "Future[pb.CommandReply]") -> None:
+            error = future.exception()
+            reply = pb.CommandReply(reason=str(error)) if error else future.result()
+            if reply.accepted:
+                text = "The vehicle node came back; it flies with the parameters of before again"
+                self.say(pb.SEVERITY_INFO, "parameters_restored", text, {"revision": str(reply.revision)})
+            else:
+                text = f"The vehicle node came back with its defaults and not as tuned: {reply.reason}"
+                self.say(pb.SEVERITY_ALARM, "parameters_not_restored", text, {})
+
+        with contextlib.suppress(Busy, RuntimeError):
+            self.desk.submit(Command("set_parameters", parameters, author="server")).add_done_callback(told)
 
     def _tell(self, sample: Sample) -> None:
         self.dispatcher.sample(sample)
@@ -208,6 +304,8 @@ class Console:
             for path in self.catalogue.refresh(busy=self._busy):
                 text = f"Run {path.stem} had been cut off and was repaired"
                 self.say(pb.SEVERITY_INFO, "run_repaired", text, {"run": path.stem})
+            for folder, name, reason in self.left_out():
+                self.tally.note("bad_file", f"{folder}/{name}: {reason}")
         except Exception:
             log.exception("the runs could not be indexed")
         finally:
@@ -218,8 +316,10 @@ class Console:
         return run.path if run is not None else None
 
     def _ask_node_to_end(self) -> None:
+        now = self.clock.to_vehicle(time.time_ns())
+        header = pb.RequestHeader(id=secrets.token_hex(8), expires_ns=now + 1_500_000_000, author="server")
         try:
-            self.bus.command("shutdown", pb.Empty(), timeout_s=1.5)
+            self.bus.command("shutdown", pb.Empty(), header, timeout_s=1.5)
         except NoAnswer as error:
             log.info("the node did not confirm its shutdown: %s", error)
 

@@ -18,20 +18,26 @@ class DataDir:
         self.root = root
         self.runs = root / "runs"
         self.missions = root / "missions"
+        self.versions = root / "mission_history"
+        self.bin = root / "mission_bin"
+        self.drafts = root / "mission_drafts"
+        self.marks = root / "mission_marks.json"
         self.presets = root / "presets"
         self.limits = root / "limits"
-        self.bin = root / "bin"
+        self.run_bin = root / "run_bin"
         self.words = root / "words.json"
         self.alarms = root / "alarms.json"
         self.index = root / "index.sqlite"
         self.node_record = root / "node.json"
+        self.audit = root / "audit.jsonl"
         self.node_log = root / "node.log"
         self._lock: IO[str] | None = None
 
     def open(self) -> None:
         """Make the folders and take the lock. Raises DataDirError."""
         try:
-            for folder in (self.runs, self.missions, self.presets, self.limits):
+            made = (self.runs, self.missions, self.versions, self.bin, self.drafts, self.presets, self.limits)
+            for folder in made:
                 folder.mkdir(parents=True, exist_ok=True)
             lock = (self.root / "lock").open("w")
         except OSError as error:

@@ -7,12 +7,14 @@ import shlex
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
-from pydantic import Field, SecretStr, ValidationError, ValidationInfo, field_validator
+from pydantic import Field, SecretStr, ValidationError, ValidationInfo, field_validator, model_validator
 from pydantic_settings import BaseSettings, NoDecode, SettingsConfigDict
 
 from bumpless.contract import keys
 
 PREFIX = "BUMPLESS_"
+LOCAL_BUS = "tcp/127.0.0.1:7447"
+LISTS = ("zenoh_listen", "zenoh_connect", "allowed_hosts", "node_command")  # may be empty
 # Read by other parts: the tests, the compiler cache, the build.
 NOT_SETTINGS = frozenset({"BUMPLESS_CHROMIUM", "BUMPLESS_CACHE_DIR", "BUMPLESS_SKIP_CONSOLE"})
 
@@ -27,7 +29,7 @@ class SettingsError(ValueError):
 class Settings(BaseSettings):
     """The server's settings. Frozen: a changed setting is a new server."""
 
-    model_config = SettingsConfigDict(env_prefix=PREFIX, extra="forbid", frozen=True, env_ignore_empty=True)
+    model_config = SettingsConfigDict(env_prefix=PREFIX, extra="forbid", frozen=True)
 
     host: str = Field(
         default="127.0.0.1", description="address to serve on; only loopback is open without a token"
@@ -40,7 +42,8 @@ class Settings(BaseSettings):
         default=(), description="program to start as the vehicle node instead of this package's own"
     )
     zenoh_listen: Names = Field(
-        default=("tcp/127.0.0.1:7447",), description="endpoints where the server's bus session listens"
+        default=(LOCAL_BUS,),
+        description="endpoints where the server's bus session listens; none where it connects, by default",
     )
     zenoh_connect: Names = Field(default=(), description="endpoints the server's bus session connects to")
     scene: Literal["full", "light", "off"] = Field(
@@ -72,7 +75,9 @@ class Settings(BaseSettings):
         default=200_000_000, ge=0, description="free bytes on the disk below which nothing is recorded"
     )
     upload_bytes: int = Field(
-        default=1_000_000, ge=1, description="largest body of a request: mission file, preset"
+        default=8_000_000,
+        ge=1,
+        description="largest body of a request: mission file, preset, another program's mission",
     )
 
     @field_validator("zenoh_listen", "zenoh_connect", "allowed_hosts", mode="before")
@@ -81,6 +86,22 @@ class Settings(BaseSettings):
         return (
             [part.strip() for part in value.split(",") if part.strip()] if isinstance(value, str) else value
         )
+
+    @model_validator(mode="before")
+    @classmethod
+    def _no_setting_is_empty(cls, values: Any) -> Any:
+        """An empty value says nothing: neither the default nor an empty token may be what somebody meant."""
+        for name, value in values.items() if isinstance(values, dict) else ():
+            if value == "" and name not in LISTS:
+                raise ValueError(f"{PREFIX}{name.upper()} is empty; give it a value or leave it out")
+        return values
+
+    @model_validator(mode="after")
+    def _one_bus_is_enough(self) -> "Settings":
+        """A router on this machine has our port already; where we connect to one, nobody connects to us."""
+        if self.zenoh_connect and "zenoh_listen" not in self.model_fields_set:
+            object.__setattr__(self, "zenoh_listen", ())
+        return self
 
     @field_validator("node_command", mode="before")
     @classmethod
@@ -143,7 +164,10 @@ def load_settings(**given: Any) -> Settings:
         return Settings(**{name: value for name, value in given.items() if value is not None})
     except ValidationError as error:
         for fault in error.errors(include_url=False):
-            name = str(fault["loc"][0]) if fault["loc"] else ""
+            if not fault["loc"]:
+                lines.append(fault["msg"].removeprefix("Value error, "))
+                continue
+            name = str(fault["loc"][0])
             source = name if given.get(name) is not None else PREFIX + name.upper()
             shown = "" if name == "token" else f" = {fault['input']!r}"
             lines.append(f"{source}{shown}: {fault['msg'].removeprefix('Value error, ')}")

@@ -52,7 +52,7 @@ def test_the_worst_come_first(flown):
     """Protects: what an engineer replays first: collisions before flights that ran out of time."""
     _, _, summary = flown
     order = [row["outcome"] for row in summary.worst]
-    assert order == sorted(order, key=["collided", "aborted", "time_over", "held"].index)
+    assert order == sorted(order, key=["collided", "aborted", "time_over", "waved_off", "held"].index)
     assert "docked" not in order
 
 

@@ -6,10 +6,10 @@ from dataclasses import replace
 import pytest
 
 from bumpless.campaign.declaration import Weights
+from bumpless.campaign.figures import TRACKING
 from bumpless.campaign.flight import FlyNumbers
 from bumpless.campaign.prepared import Prepared
 from bumpless.campaign.store import StoreError
-from bumpless.campaign.tracking import TRACKING
 from bumpless.campaign.tune import result, study
 from bumpless.campaign.tune.score import Quality, score_of
 

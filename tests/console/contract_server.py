@@ -7,7 +7,7 @@ refuses, a reply without a confirmation. Frames are pushed one by one, so nothin
 import asyncio
 import json
 import threading
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -27,10 +27,12 @@ from bumpless_server.web.routes.page import static_folder
 POLICY = "default-src 'self'"
 NOW_NS = 1_770_000_000_000_000_000
 BEAT_S = 0.05
+PATIENCE_S = 30.0
 SCENE = "<!doctype html><title>scene</title><body style='margin:0;background:#123'></body>"
 
 
 Messages = Iterable[tuple[str, Message]]
+Foresee = Callable[[dict[str, Any]], Iterable[dict[str, Any]]]
 
 
 @dataclass
@@ -63,6 +65,8 @@ class ContractServer:
         self._last: dict[str, pb.StreamMessage] = {}
         self._sockets: dict[WebSocket, asyncio.Queue[bytes]] = {}
         self._called = threading.Condition()
+        self.foresee: Foresee = lambda _: []
+        self._held: dict[tuple[str, str], threading.Event] = {}
         self.start()
 
     @property
@@ -113,6 +117,10 @@ class ContractServer:
         """What to answer from now on to `method` of `path` (without the leading "/api/")."""
         self.replies[(method, path)] = (status, body)
 
+    def hold(self, method: str, path: str) -> threading.Event:
+        """Keep answers to `method` of `path` back until the event is set."""
+        return self._held.setdefault((method, path), threading.Event())
+
     def say(self, messages: Messages, age_s: float = 0.0, past: bool = False) -> None:
         """Push one frame to every browser; `age_s`: how long ago the server received these messages."""
         said = list(messages)
@@ -148,7 +156,7 @@ class ContractServer:
         with self._called:
             return [call for call in self.calls if (call.method, call.path) == (method, path)]
 
-    def wait_for_call(self, method: str, path: str, count: int = 1, timeout_s: float = 30.0) -> Call:
+    def wait_for_call(self, method: str, path: str, count: int = 1, timeout_s: float = PATIENCE_S) -> Call:
         """The `count`-th request of this kind, when it has come."""
         with self._called:
             came = self._called.wait_for(lambda: len(self.calls_of(method, path)) >= count, timeout_s)
@@ -161,10 +169,22 @@ class ContractServer:
         with self._called:
             self.calls.append(call)
             self._called.notify_all()
+        if held := self._held.get((request.method, path)):
+            await asyncio.to_thread(held.wait, PATIENCE_S)
         status, body = self.replies.get((request.method, path), (404, {"detail": f"nothing at {path}"}))
         if isinstance(body, bytes):
             return Response(body, status, media_type="application/octet-stream")
         return JSONResponse(body, status)
+
+    async def _foresight(self, socket: WebSocket) -> None:
+        await socket.accept()
+        try:
+            while True:
+                request = json.loads(await socket.receive_text())
+                for answer in self.foresee(request):
+                    await socket.send_text(json.dumps({"id": request["id"], **answer}))
+        except WebSocketDisconnect:
+            pass
 
     async def _stream(self, socket: WebSocket) -> None:
         await socket.accept()
@@ -193,6 +213,7 @@ class ContractServer:
         return Starlette(
             routes=[
                 WebSocketRoute("/api/stream", self._stream),
+                WebSocketRoute("/ws/foresight", self._foresight),
                 Route("/api/{path:path}", self._answer, methods=["GET", "POST", "PUT", "DELETE"]),
                 Route("/scene/{tab}/", scene),
                 Route("/", page),

@@ -65,6 +65,31 @@ def test_a_good_file_is_stored_and_chosen(console: Page, server: ContractServer)
     expect(console.get_by_label("Mission file", exact=True).locator(".yaml-comment")).to_have_text("# note")
 
 
+def test_start_flies_what_is_shown_and_waits_while_a_file_is_being_stored(
+    console: Page, server: ContractServer
+) -> None:
+    """Protects a quick click after an upload from starting the mission that was shown before."""
+    new = mission("harbour", "Harbour run", "", 60.0) | {"builtin": False, "sha256": "ab" * 32}
+    server.reply("POST", "missions", new, status=201)
+    server.reply("GET", "missions/harbour", {**new, "yaml": "name: harbour\n", "path_ned_m": [[0, 0, 1]]})
+    server.reply("POST", "mission/start", {"accepted": True, "reason": ""})
+    show(console, "Missions")
+    start = console.get_by_role("button", name="Start this mission")
+    expect(start).to_be_enabled()
+    listed = [*server.replies["GET", "missions"][1], new]
+    server.reply("GET", "missions", listed)
+    stored, read = server.hold("POST", "missions"), server.hold("GET", "missions/harbour")
+    upload(console, "harbour.yaml", "name: harbour\n")
+    expect(start).to_be_disabled()
+    expect(console.get_by_role("button", name="Start", exact=True)).to_be_disabled()
+    stored.set()
+    server.wait_for_call("GET", "missions/harbour")
+    expect(start).to_be_disabled()
+    read.set()
+    start.click()
+    assert server.wait_for_call("POST", "mission/start").json() == {"name": "harbour", "sha256": "ab" * 32}
+
+
 def test_a_name_that_exists_can_be_replaced(console: Page, server: ContractServer) -> None:
     """Protects stored files from being overwritten unasked."""
     server.reply("POST", "missions", {"detail": "docking exists already"}, status=409)
@@ -89,6 +114,7 @@ def test_start_sends_mission_and_seed_and_shows_a_refusal_as_it_came(
     bar.get_by_role("button", name="Start", exact=True).click()
     assert server.wait_for_call("POST", "mission/start").json() == {
         "name": "docking_current.yaml",
+        "sha256": mission("", "", "", 0.0)["sha256"],
         "seed": 42,
     }
     alert = console.get_by_role("alert").filter(has_text="Start refused.")

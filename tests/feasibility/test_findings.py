@@ -8,7 +8,7 @@ from bumpless.config.mission import parse_mission
 from bumpless.config.parameters import default_parameters
 from bumpless.config.vehicle import load_vehicle, vehicle_names
 from bumpless.contract.enums import CURRENT, HOLD
-from bumpless.feasibility import station_keeping
+from bumpless.feasibility import ACCEPT, REFUSE, WARN, station_keeping
 from bumpless.feasibility.path import approach_time
 from bumpless.feasibility.reach import top_speed
 from bumpless.physics.model import build_model
@@ -47,18 +47,18 @@ def test_a_sound_mission_has_no_findings() -> None:
 @pytest.mark.parametrize(
     ("text", "wanted"),
     [
-        (with_current(0.1), ("error", "current_not_holdable")),
-        (with_current(0.01), ("warning", "held_for_a_while")),
-        (CASE.replace("[24.5, 0", "[5000, 0").replace("[26, 0", "[5001.5, 0"), ("error", "too_far")),
-        (CASE.replace("[26, 0, 2.3]", "[26, 0, 23]"), ("warning", "target_depth")),
-        (CASE.replace("[26, 0, 2.3]", "[26, 40, 2.3]"), ("warning", "target_not_on_path")),
-        (CASE.replace("speed_mps: 0.7}\ntarget", "speed_mps: 4.5}\ntarget"), ("error", "leg_too_fast")),
-        (with_current(-0.5), ("error", "leg_not_flyable")),
-        (CASE.replace("[10, 0, 2.0]", "[10, 0, 9.0]"), ("warning", "leg_too_steep")),
-        (CASE.replace("duration_s: 180", "duration_s: 40"), ("warning", "short_of_time")),
+        (with_current(0.1), ("hard", "current_not_holdable")),
+        (with_current(0.01), ("soft", "current_hard_to_hold")),
+        (CASE.replace("[24.5, 0", "[5000, 0").replace("[26, 0", "[5001.5, 0"), ("hard", "too_far")),
+        (CASE.replace("[26, 0, 2.3]", "[26, 0, 23]"), ("soft", "target_depth")),
+        (CASE.replace("[26, 0, 2.3]", "[26, 40, 2.3]"), ("soft", "target_not_on_path")),
+        (CASE.replace("speed_mps: 0.7}\ntarget", "speed_mps: 4.5}\ntarget"), ("hard", "leg_too_fast")),
+        (with_current(-0.5), ("hard", "leg_not_flyable")),
+        (CASE.replace("[10, 0, 2.0]", "[10, 0, 9.0]"), ("soft", "leg_too_steep")),
+        (CASE.replace("duration_s: 180", "duration_s: 40"), ("soft", "short_of_time")),
         (CASE.replace("[10, 0, 2.0]", "[20, 0, 2.0], speed_mps: 0.7}\n  - {to_ned_m: [0, 0, 2.0]"),
-         ("warning", "seen_early")),
-        (CASE + "environment: {beam_attenuation_per_m: 0.96}\n", ("warning", "seen_too_late")),
+         ("soft", "seen_early")),
+        (CASE + "environment: {beam_attenuation_per_m: 0.96}\n", ("soft", "seen_too_late")),
     ],
 )  # fmt: skip
 def test_each_kind_of_what_cannot_work_is_found(text, wanted) -> None:
@@ -69,8 +69,10 @@ def test_each_kind_of_what_cannot_work_is_found(text, wanted) -> None:
 def test_a_finding_says_why_and_what_would_work() -> None:
     """Protects: the nearest heading that holds is named, and it does hold."""
     (finding,) = bumpless.check(parse_mission(with_current(0.1), "case.yaml"))
-    assert "sideways thrust" in finding.text and "into_current" in finding.change
-    assert finding.as_dict()["field"] == "target.heading_deg"
+    assert "sideways thrust" in finding.text and "Can be held: 2" in finding.change
+    assert finding.as_dict()["mends"][0] == {
+        "path": "target.approach", "value": "into_current", "words": "Approach into the current"
+    }  # fmt: skip
     free = with_current(0.1, text=CASE.replace("standoff_m: 1.5", "standoff_m: 1.5, approach: into_current"))
     assert found(free) == []
 
@@ -79,19 +81,18 @@ def test_a_finding_says_why_and_what_would_work() -> None:
 def test_what_is_refused_is_what_the_vehicle_gives_up(ts100, east) -> None:
     """Protects: one rule before the start and in flight."""
     mission = parse_mission(with_current(east), "case.yaml", ts100)
-    refused = ("error", "current_not_holdable") in found(mission.text)
+    refused = ("hard", "current_not_holdable") in found(mission.text)
     last = simulate(mission, ts100).log[-1]
     assert refused == (last["stage"] == HOLD and last["reason"] == CURRENT) == (east > 0.0)
 
 
 def test_the_headings_that_hold_lie_about_the_current(ts100, docking) -> None:
     """Protects: station keeping by heading, its margin and the nearest heading."""
-    station = station_keeping(ts100, default_parameters(ts100), (0.0, 0.1, 0.0), docking.target)
-    holds = station.heading_deg[station.holds_s > 0.0]
-    assert not station.holds and station.chosen_margin_mps < 0.0
-    assert holds.min() > 250.0 and holds.max() < 290.0 and 270.0 in holds
-    assert station.nearest_deg == holds[station.holds_s[holds.astype(int)] >= 1e6].max()
-    assert (station.margin_mps[holds.astype(int)] >= 0.0).all()
+    station = station_keeping(ts100, default_parameters(ts100), (0.0, 0.12, 0.0), docking.target)
+    may, sure = (station.heading_deg[station.zone >= zone] for zone in (WARN, ACCEPT))
+    assert station.chosen.zone == REFUSE and station.chosen.margin_mps < 0.0
+    assert 250.0 < may.min() < sure.min() < 270.0 < sure.max() < may.max() < 290.0
+    assert station.nearest_deg == sure.max()
 
 
 @pytest.mark.parametrize("name", ["bluerov2_heavy", "twinpod"])
@@ -99,14 +100,14 @@ def test_a_vehicle_with_sideways_thrust_holds_any_heading(name, docking) -> None
     """Protects: what is asked of a vehicle without sway is not asked of others."""
     vehicle = load_vehicle(name)
     station = station_keeping(vehicle, default_parameters(vehicle), (0.0, 0.05, 0.0), docking.target)
-    assert station.holds and (station.holds_s > 0.0).all()
+    assert station.chosen.zone == ACCEPT and (station.zone == ACCEPT).all()
 
 
 def test_a_vehicle_that_cannot_stop_holds_nowhere(docking) -> None:
     """Protects: REMUS passes; it is not said to hold."""
     vehicle = load_vehicle("remus100")
     station = station_keeping(vehicle, default_parameters(vehicle), (0.0, 0.0, 0.0), docking.target)
-    assert not station.holds and "slower" in station.reason
+    assert station.chosen.zone == REFUSE and "slower" in station.chosen.reason
 
 
 @pytest.mark.parametrize("name", vehicle_names())
@@ -126,5 +127,5 @@ def test_the_approach_takes_as_long_as_it_is_said_to(ts100, docking, flight) -> 
 def test_every_example_mission_can_be_flown_or_says_why_not(path) -> None:
     """Protects: an example with an error says in its title that it does not dock."""
     mission = bumpless.load_mission(path)
-    errors = [one for one in bumpless.check(mission) if one.severity == "error"]
+    errors = [one for one in bumpless.check(mission) if one.blocks]
     assert bool(errors) == ("does not dock" in mission.title)

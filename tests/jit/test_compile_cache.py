@@ -84,3 +84,18 @@ def test_a_new_state_of_the_sources_makes_room(tmp_path: Path, monkeypatch: pyte
     assert seen == [fresh]
     (tmp_path / "file").touch()
     assert claim(tmp_path / "file" / "numba-00000000000000ff").name == "numba-00000000000000ff"
+
+
+def test_without_a_writable_home_compiled_code_is_kept_elsewhere(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Protects: a service without a home directory failed to start, or compiled anew at each start."""
+    monkeypatch.setattr(compile_cache.tempfile, "gettempdir", lambda: str(tmp_path))
+    monkeypatch.setattr(compile_cache.tempfile, "tempdir", str(tmp_path))
+    (tmp_path / "file").touch()
+    found = compile_cache.usable(tmp_path / "file" / "numba-0")
+    assert found == compile_cache.usable(tmp_path / "file" / "numba-0")
+    assert found.parent.parent == tmp_path and found.parent.stat().st_mode & 0o777 == 0o700
+    found.parent.chmod(0o777)  # anybody could have put code there
+    assert compile_cache.usable(tmp_path / "file" / "numba-0").parent != found.parent
+    assert compile_cache.usable(tmp_path / "mine") == tmp_path / "mine"

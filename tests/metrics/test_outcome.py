@@ -8,8 +8,9 @@ import pytest
 
 from bumpless.config.vehicle import Vehicle
 from bumpless.contract import bumpless_pb2 as pb
-from bumpless.contract.enums import FORWARD, HOVER
+from bumpless.contract.enums import APPROACH, FORWARD, HOVER
 from bumpless.metrics import Columns, Ending, outcome_of
+from bumpless.metrics.dock import Body
 
 MakeRun = Callable[..., Columns]
 N = 400  # 20 s
@@ -117,30 +118,66 @@ def test_through_the_docks_plane_is_a_collision_whatever_follows(
     outcome = outcome_of(on_a_line(make_run, east, depth), ts100, how, "by the operator")
     assert outcome.ending == Ending.COLLIDED
     aside = np.hypot(east, depth - 5.0)
-    assert f"{aside:.2f} m from the marker, 8.0 s" in outcome.reason  # 3.964 m until the nose is there
+    assert f"{aside:.2f} m from its marker, 8.0 s" in outcome.reason  # 3.964 m until the nose is there
     assert outcome.closest_m == pytest.approx(aside)
     assert outcome.closest_s is not None and 7.95 <= outcome.closest_s <= 12.5
 
 
 def test_beside_the_dock_is_no_collision(make_run: MakeRun, ts100: Vehicle) -> None:
-    """The disc has an edge: past it the closest approach is told, and nothing else."""
-    outcome = outcome_of(on_a_line(make_run, 0.51), ts100, "completed")
-    assert (outcome.ending, outcome.closest_m) == (Ending.TIME_OVER, pytest.approx(0.51))
-    assert outcome_of(on_a_line(make_run, 0.51), ts100, "completed", keep_out_m=0.6).ending == "collided"
+    """The dock has an edge: past it the closest approach is told, and nothing else.
+
+    1 m to the side, the hull's radius of 0.1 m, and the thrusters 0.41 m abeam of the hull.
+    """
+    outcome = outcome_of(on_a_line(make_run, 1.52), ts100, "completed")
+    assert (outcome.ending, outcome.closest_m) == (Ending.TIME_OVER, pytest.approx(1.52))
+    assert outcome_of(on_a_line(make_run, 1.5), ts100, "completed").ending == "collided"
+    wide = Body(width_m=2.1)
+    assert outcome_of(on_a_line(make_run, 1.52), ts100, "completed", body=wide).ending == "collided"
+
+
+def test_the_dock_has_a_length(make_run: MakeRun, ts100: Vehicle) -> None:
+    """Protects: whoever comes in from the side, behind the marker's plane, is in the dock as well."""
+    eta = np.zeros((N, 6))
+    eta[:, 0], eta[:, 1], eta[:, 2], eta[:, 5] = 12.3, 5.0 - 0.02 * np.arange(N), 5.0, -np.pi / 2
+    crossing = in_hover(make_run, mode=np.full(N, FORWARD), eta=eta, eta_hat=eta)
+    behind = outcome_of(crossing, ts100, "completed", body=Body(length_m=1.3))
+    assert (behind.ending, behind.why) == (Ending.TIME_OVER, "still in forward")
+    inside = outcome_of(crossing, ts100, "completed")
+    assert (inside.ending, inside.why) == (Ending.COLLIDED, "in the dock in forward")
+
+
+def test_a_dock_that_stands_fast_is_met_there_too(make_run: MakeRun, ts100: Vehicle) -> None:
+    """Protects: an approach at an angle is judged by the dock as it stands, and across the way in use."""
+    turned = {"stage": np.full(N, APPROACH), "approach": np.full(N, np.radians(60.0))}
+    side = np.tile([10.0, 1.2, 5.0, 0.0, 0.0, 0.0], (N, 1))
+    run = in_hover(make_run, eta=side, eta_hat=side, **turned)
+    assert outcome_of(run, ts100, "completed").ending == Ending.COLLIDED  # across the way in use
+    back = np.tile([10.8, -2.0, 5.0, 0.0, 0.0, np.pi / 2], (N, 1))
+    run = in_hover(make_run, eta=back, eta_hat=back, **turned)
+    assert outcome_of(run, ts100, "completed").ending != Ending.COLLIDED
+    assert outcome_of(run, ts100, "completed", body=Body(heading=0.0)).ending == Ending.COLLIDED
+
+
+def test_a_simulation_that_broke_down_is_no_success(make_run: MakeRun, ts100: Vehicle) -> None:
+    """Protects: states that are no numbers end a run as aborted, whatever was held before."""
+    broken = moved(0, 0.0)
+    broken[-1] = np.nan
+    outcome = outcome_of(in_hover(make_run, eta=broken, eta_hat=broken), ts100, "completed")
+    assert (outcome.ending, outcome.why) == (Ending.ABORTED, "the simulation broke down")
 
 
 def test_the_tail_counts_as_much_as_the_nose(make_run: MakeRun, ts100: Vehicle) -> None:
     """Backing into the dock stern first: only the tail, 1.164 m behind the origin, reaches the plane."""
     eta = np.tile([9.4, 0.1, 5.0, 0.0, 0.0, np.pi], (N, 1))
     outcome = outcome_of(in_hover(make_run, eta=eta), ts100, "completed")
-    assert outcome.ending == Ending.COLLIDED and "0.10 m from the marker" in outcome.reason
+    assert outcome.ending == Ending.COLLIDED and "0.10 m from its marker" in outcome.reason
 
 
 def test_the_hull_across_the_approach_touches_only_where_it_is(make_run: MakeRun, ts100: Vehicle) -> None:
     """Broadside before the plane: near, but not through it."""
-    eta = np.tile([10.2, 0.0, 5.0, 0.0, 0.0, np.pi / 2], (N, 1))
+    eta = np.tile([10.0, 0.0, 5.0, 0.0, 0.0, np.pi / 2], (N, 1))
     outcome = outcome_of(in_hover(make_run, eta=eta), ts100, "completed")
-    assert (outcome.ending, outcome.closest_m) == (Ending.HELD, pytest.approx(0.3))
+    assert (outcome.ending, outcome.closest_m) == (Ending.HELD, pytest.approx(0.5))
 
 
 def test_errors_at_the_end_are_told_as_true_and_as_believed(make_run: MakeRun, ts100: Vehicle) -> None:

@@ -1,11 +1,13 @@
 """The other end of the bus for tests: hears everything of a vehicle, asks it, starts and ends its node."""
 
 import os
+import secrets
 import signal
 import socket
 import subprocess
 import sys
 import threading
+import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -71,11 +73,17 @@ class Listener:
         """Wait until the vehicle has come to life `count` times."""
         self.until(lambda: sum(self.alive) >= count)
 
-    def ask(self, verb: str, request: Any = None) -> pb.CommandReply:
-        """Send a command; the vehicle's reply."""
+    def ask(self, verb: str, request: Any = None, **header: Any) -> pb.CommandReply:
+        """Send a command with an id of its own and a minute's time, or as `header` says; the reply."""
         payload = b"" if request is None else request.SerializeToString()
+        said = {"id": secrets.token_hex(8), "expires_ns": time.time_ns() + round(PATIENCE_S * 1e9)}
         replies = list(
-            self.session.get(keys.command(self.vehicle, verb), payload=payload, timeout=PATIENCE_S)
+            self.session.get(
+                keys.command(self.vehicle, verb),
+                payload=payload,
+                attachment=pb.RequestHeader(**{**said, **header}).SerializeToString(),
+                timeout=PATIENCE_S,
+            )
         )
         assert len(replies) == 1 and replies[0].ok is not None
         assert str(replies[0].ok.encoding) == keys.encoding_of(pb.CommandReply)

@@ -7,6 +7,7 @@ from contextlib import contextmanager
 import pytest
 import zenoh
 
+from bumpless.contract import keys
 from bumpless.node import links
 from bumpless.node.claim import Claim, TakenError
 from bumpless.node.session import node_config
@@ -26,21 +27,17 @@ def apart() -> Iterator[tuple[zenoh.Session, zenoh.Session, Gate]]:
                 yield first, second, door
 
 
-def _never(reason: str) -> None:
-    raise AssertionError(f"gave way: {reason}")
-
-
 def test_a_stake_waits_for_the_link_to_a_vehicle_that_others_hear() -> None:
     """Protects: a node whose link to the live vehicle comes last took the id for free, and spoke."""
     with apart() as (first, second, door):
-        live = Claim(first, "ts100", _never)
+        live = Claim(first, "ts100")
         live.stake()
         live.declare_alive()
         found: list[str] = []
 
         def stake() -> None:
             try:
-                Claim(second, "ts100", _never, connects=True).stake()
+                Claim(second, "ts100", connects=True).stake()
             except TakenError as error:
                 found.append(str(error))
 
@@ -54,11 +51,10 @@ def test_a_stake_waits_for_the_link_to_a_vehicle_that_others_hear() -> None:
 def test_a_link_that_comes_during_the_preparation_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
     """Protects: an id that was free when staked is looked at again before the vehicle speaks."""
     with apart() as (first, second, door):
-        live = Claim(first, "ts100", _never)
+        live = Claim(first, "ts100")
         live.stake()
         live.declare_alive()
-        told: list[str] = []
-        late = Claim(second, "ts100", told.append, connects=True)
+        late = Claim(second, "ts100", connects=True)
         monkeypatch.setattr(links, "PATIENCE_S", 0.0)
         late.stake()
         monkeypatch.undo()
@@ -70,11 +66,36 @@ def test_a_link_that_comes_during_the_preparation_is_noticed(monkeypatch: pytest
 def test_of_two_claims_the_younger_is_not_confirmed() -> None:
     """Protects: of two that start at once the younger is told so before it speaks, not a moment after."""
     with apart() as (first, second, door):
-        told: list[str] = []
-        older, younger = Claim(first, "ts100", _never), Claim(second, "ts100", told.append)
+        older, younger = Claim(first, "ts100"), Claim(second, "ts100")
         door.open()
         older.stake()
         younger.stake()
         older.confirm()
         with pytest.raises(TakenError, match="giving way"):
             younger.confirm()
+
+
+def test_a_claim_that_nobody_stands_behind_ends_no_node() -> None:
+    """Protects: a stranger's forged claim, older than any, made the live vehicle leave the bus."""
+    with apart() as (first, second, door):
+        door.open()
+        live = Claim(first, "ts100")
+        live.stake()
+        live.declare_alive()
+        forged = keys.claim("ts100", 1, str(second.zid()))
+        seen = threading.Event()
+        watching = first.liveliness().declare_subscriber(forged, lambda _: seen.set(), history=True)
+        token = second.liveliness().declare_token(forged)
+        assert seen.wait(PATIENCE_S)
+        assert live.contested() is None
+        serving = second.declare_queryable(keys.schema("ts100"), _answer, complete=True)
+        while live.contested() is None:  # until the declaration has travelled
+            pass
+        token.undeclare()
+        serving.undeclare()
+        watching.undeclare()
+
+
+def _answer(query: zenoh.Query) -> None:
+    with query:
+        query.reply(query.key_expr, b"a contract")

@@ -8,8 +8,7 @@ import pytest
 
 from bumpless import NoFigures, open_run
 from bumpless.contract import bumpless_pb2 as pb
-from bumpless.metrics import Columns, as_dict
-from bumpless.runs.figures import figures_of
+from bumpless.metrics import Columns, as_dict, figures_of
 from tests.runs.flights import Flight, begin, record
 
 OF_TRUTH = (
@@ -40,7 +39,9 @@ def test_metrics_from_the_file_are_the_simulations(flight: Flight) -> None:
     """One definition, two ways to the numbers: memory, and the bus's messages on a disk."""
     result = flight.result
     columns = Columns.from_log(result.log, len(result.vehicle.commands))
-    direct, _ = figures_of(columns, result.vehicle, flight.run.info.run_id, "completed")
+    direct, _ = figures_of(
+        columns, result.vehicle, result.mission, "completed", run_id=flight.run.info.run_id
+    )
     stored = open_run(flight.path).metrics
     assert direct.cycles == len(result.log)
     same(as_dict(direct), as_dict(stored))

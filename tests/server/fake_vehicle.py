@@ -184,6 +184,8 @@ def main() -> int:
             with query:
                 verb = str(query.key_expr).rsplit("/", 1)[-1]
                 reply = fake.answer(verb, query.payload.to_bytes() if query.payload else b"")
+                if query.attachment is not None:
+                    reply.id = pb.RequestHeader.FromString(query.attachment.to_bytes()).id
                 query.reply(query.key_expr, reply.SerializeToString(), encoding=keys.encoding_of(reply))
 
         held: list[object] = [session.liveliness().declare_token(keys.alive("ts100"))]

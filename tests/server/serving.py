@@ -15,6 +15,7 @@ import uvicorn
 from bumpless_server.console import Console
 from bumpless_server.settings import Settings
 from bumpless_server.web.app import create_app
+from bumpless_server.web.serving import server_config
 
 FAKE = Path(__file__).with_name("fake_vehicle.py")
 PATIENCE_S = 20.0  # how long a test waits before it fails; never how long it takes
@@ -69,12 +70,7 @@ def serving(settings: Settings) -> Iterator[Running]:
     console = Console(settings)
     console.start()
     listener = socket.create_server(("127.0.0.1", 0))
-    config = uvicorn.Config(
-        create_app(settings, console),
-        log_config=None,
-        ws_per_message_deflate=False,
-        timeout_graceful_shutdown=1,
-    )
+    config = server_config(create_app(settings, console), console.tally.note, graceful_s=1)
     server = uvicorn.Server(config)
     thread = threading.Thread(
         target=lambda: asyncio.run(server.serve(sockets=[listener])), name="uvicorn", daemon=True

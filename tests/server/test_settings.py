@@ -59,3 +59,22 @@ def test_a_vehicle_file_names_its_id(tmp_path) -> None:
     path = tmp_path / "mine.toml"
     path.write_text(load_vehicle("ts100").text)
     assert Settings(vehicle=str(path)).vehicle_id == "ts100"
+
+
+def test_an_empty_value_is_no_value(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Protects: an empty token was ignored, and the console was open to everyone; a list may be empty."""
+    monkeypatch.setenv("BUMPLESS_TOKEN", "")
+    with pytest.raises(SettingsError, match="BUMPLESS_TOKEN is empty; give it a value or leave it out"):
+        load_settings()
+    monkeypatch.delenv("BUMPLESS_TOKEN")
+    monkeypatch.setenv("BUMPLESS_ZENOH_LISTEN", "")
+    assert load_settings().zenoh_listen == ()
+
+
+def test_a_server_beside_a_router_leaves_it_its_port() -> None:
+    """Protects: the field recipe failed where router and server share a machine: both wanted port 7447."""
+    settings = load_settings(zenoh_connect=("tcp/127.0.0.1:7447",))
+    assert settings.zenoh_listen == ()
+    assert node_command(settings)[-2:] == ("--connect", "tcp/127.0.0.1:7447")
+    both = load_settings(zenoh_connect=("tcp/10.0.0.1:7447",), zenoh_listen=("tcp/0.0.0.0:7448",))
+    assert both.zenoh_listen == ("tcp/0.0.0.0:7448",)

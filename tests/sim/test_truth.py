@@ -63,7 +63,7 @@ def test_commands_follow_from_measurements_and_plan_alone(ts100, fault_tolerant)
 
     onboard = one(ONBOARD)[0]
     fill_settings(onboard["settings"], ts100, parameters)
-    onboard["plan"] = plan_of(mission, ts100.control_period_s)[0]
+    onboard["plan"] = plan_of(mission, ts100)[0]
     tell(twin.world["truth"], onboard["plan"])
     if not fault_tolerant:
         spoil(onboard["plan"]["faults"])

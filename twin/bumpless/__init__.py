@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from bumpless.config.problems import Problem, ProblemsError
     from bumpless.config.vehicle import Vehicle, VehicleError, load_vehicle, vehicle_names
     from bumpless.contract.extras import ExtraMissing
-    from bumpless.feasibility.finding import Finding
+    from bumpless.feasibility.finding import Finding, Mend
     from bumpless.metrics.outcome import Ending, Outcome
     from bumpless.runs.checked import check
     from bumpless.runs.flight import fly, load_mission, open_run
@@ -39,7 +39,7 @@ _PLACES = {
     "bumpless.config.problems": ("Problem", "ProblemsError"),
     "bumpless.config.vehicle": ("Vehicle", "VehicleError", "load_vehicle", "vehicle_names"),
     "bumpless.contract.extras": ("ExtraMissing",),
-    "bumpless.feasibility.finding": ("Finding",),
+    "bumpless.feasibility.finding": ("Finding", "Mend"),
     "bumpless.metrics.outcome": ("Ending", "Outcome"),
     "bumpless.runs.checked": ("check",),
     "bumpless.runs.flight": ("fly", "load_mission", "open_run"),
@@ -52,6 +52,7 @@ __all__ = [
     "Ending",
     "ExtraMissing",
     "Finding",
+    "Mend",
     "Mission",
     "MissionError",
     "NoFigures",

@@ -11,7 +11,10 @@ type Json<T> = T extends { content: { "application/json": infer J } } ? J : unde
 type Good<O> = O extends { responses: infer R } ? Json<R[keyof R & (200 | 201 | 204)]> : never;
 type Names<P extends string> = P extends `${string}{${infer N}}${infer Rest}` ? N | Names<Rest> : never;
 type Query<O> = O extends { parameters: { query?: infer Q } } ? Q : never;
-type Body<O> = O extends { requestBody: infer B } ? Json<B> : string | Blob | object;
+/** As declared; any bytes where they are no JSON or not declared. */
+type Body<O> = O extends { requestBody: { content: { "application/json": infer B } } }
+  ? B
+  : string | Blob | object;
 
 interface Options<P extends string, O> {
   path?: Record<Names<P>, string>;

@@ -20,6 +20,11 @@ export class Resource<T> {
     return this.got.value.value;
   }
 
+  /** The value as it stands, for acting on it rather than showing it. */
+  peek(): T | undefined {
+    return this.got.peek().value;
+  }
+
   /** Why the last request failed; the value before it stays. */
   get refusal(): Refusal | undefined {
     return this.got.value.refusal;

@@ -64,6 +64,46 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/audit": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Audit
+         * @description The last commands, newest first; also those from before a restart.
+         */
+        get: operations["audit_api_audit_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/audit.jsonl": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Audit File
+         * @description All commands ever, one JSON object a line.
+         */
+        get: operations["audit_file_api_audit_jsonl_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/bin": {
         parameters: {
             query?: never;
@@ -144,6 +184,46 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/diagnostics": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Diagnostics
+         * @description Counters by kind, age of each topic, files left out, clock and bus.
+         */
+        get: operations["diagnostics_api_diagnostics_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/drafts": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Drafts
+         * @description All work in progress.
+         */
+        get: operations["drafts_api_drafts_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/events": {
         parameters: {
             query?: never;
@@ -196,6 +276,66 @@ export interface paths {
          * @description The server answers; says nothing of the vehicle.
          */
         get: operations["health_api_health_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/mission-bin": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Binned
+         * @description What was deleted, newest first.
+         */
+        get: operations["binned_api_mission_bin_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/mission-bin/{binned}/restore": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Restore
+         * @description Undo a deletion; where the name was given anew, the mission comes back under another.
+         */
+        post: operations["restore_api_mission_bin__binned__restore_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/mission-templates": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Mission Templates
+         * @description Whole missions to begin from, for a vehicle: by default the console's.
+         */
+        get: operations["mission_templates_api_mission_templates_get"];
         put?: never;
         post?: never;
         delete?: never;
@@ -268,6 +408,69 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/missions/check": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Check
+         * @description Check a mission's bytes without keeping them, as `bumpless validate --json` does.
+         */
+        post: operations["check_api_missions_check_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/missions/export": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Give Out
+         * @description The mission in the body, saved or not, as another program's file.
+         */
+        post: operations["give_out_api_missions_export_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/missions/import": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Take In
+         * @description Make a mission of a foreign file's bytes, with a word on each thing that did not carry over.
+         *
+         *     part: which of several ways, where the file holds several with names. Nothing is saved.
+         *     QGroundControl's .plan, WPL, GeoJSON, KML (KMZ), CSV, MOOS-IvP's .bhv, Neptus' .nmis (.nmisz).
+         */
+        post: operations["take_in_api_missions_import_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/missions/{name}": {
         parameters: {
             query?: never;
@@ -280,13 +483,208 @@ export interface paths {
          * @description One mission with its text.
          */
         get: operations["mission_api_missions__name__get"];
-        put?: never;
+        /**
+         * Save
+         * @description Check and keep a mission's bytes as they are, new or in place of its own; the version before stays in
+         *     its history.
+         *
+         *     base: hash of the file that was edited; when it is another by now, nothing is saved (409).
+         */
+        put: operations["save_api_missions__name__put"];
         post?: never;
         /**
          * Remove
-         * @description Delete an uploaded mission.
+         * @description Put an uploaded mission into the bin; its id takes it out again.
          */
         delete: operations["remove_api_missions__name__delete"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/missions/{name}/draft": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Draft
+         * @description Work in progress on a mission.
+         */
+        get: operations["draft_api_missions__name__draft_get"];
+        /**
+         * Keep Draft
+         * @description Keep work in progress, whatever it holds; saving the mission drops it.
+         */
+        put: operations["keep_draft_api_missions__name__draft_put"];
+        post?: never;
+        /**
+         * Drop Draft
+         * @description Forget work in progress.
+         */
+        delete: operations["drop_draft_api_missions__name__draft_delete"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/missions/{name}/duplicate": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Duplicate
+         * @description A copy of a mission under another file name.
+         */
+        post: operations["duplicate_api_missions__name__duplicate_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/missions/{name}/export": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Export
+         * @description A stored mission as another program's file.
+         */
+        get: operations["export_api_missions__name__export_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/missions/{name}/file": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * File
+         * @description The mission's file, byte for byte.
+         */
+        get: operations["file_api_missions__name__file_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/missions/{name}/findings": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Findings
+         * @description Check a stored mission.
+         */
+        get: operations["findings_api_missions__name__findings_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/missions/{name}/history": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * History
+         * @description Every saved version, newest first.
+         */
+        get: operations["history_api_missions__name__history_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/missions/{name}/history/{version}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Version
+         * @description One saved version with its text.
+         */
+        get: operations["version_api_missions__name__history__version__get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/missions/{name}/marks": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Mark
+         * @description Tag a mission, or put it away (archived) and take it out again; its bytes stay as they are.
+         */
+        put: operations["mark_api_missions__name__marks_put"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/missions/{name}/rename": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Rename
+         * @description Give an uploaded mission another file name; history, draft and tags go with it.
+         */
+        post: operations["rename_api_missions__name__rename_post"];
+        delete?: never;
         options?: never;
         head?: never;
         patch?: never;
@@ -306,9 +704,49 @@ export interface paths {
         get: operations["parameters_api_parameters_get"];
         /**
          * Change
-         * @description Ask the vehicle to fly with these, all of them.
+         * @description Ask the vehicle to fly with these, all of them; `If-Match` refuses a change of an old revision.
          */
         put: operations["change_api_parameters_put"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/planning": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Vehicles
+         * @description Ids of the vehicles whose files are here.
+         */
+        get: operations["vehicles_api_planning_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/planning/{vehicle}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Planning
+         * @description One vehicle as a plan shows it: the one on the bus when it has this id, else the one of our files.
+         */
+        get: operations["planning_api_planning__vehicle__get"];
+        put?: never;
         post?: never;
         delete?: never;
         options?: never;
@@ -702,6 +1140,73 @@ export interface components {
             open: components["schemas"]["Alarm"][];
         };
         /**
+         * Approach
+         * @description How the vehicle docks by itself, by its own parameters. Distances are from the observation point.
+         */
+        Approach: {
+            /** Break Off M */
+            break_off_m: number;
+            /** Cone Base M */
+            cone_base_m: number;
+            /** Cone Slope */
+            cone_slope: number;
+            /** Enabled */
+            enabled: boolean;
+            /** Entry Distance M */
+            entry_distance_m: number;
+            /** Keep Out M */
+            keep_out_m: number;
+        };
+        /**
+         * AuditEntry
+         * @description One command: who asked for what, and what came of it.
+         */
+        AuditEntry: {
+            /** Address */
+            address: string;
+            /**
+             * Answer
+             * @enum {string}
+             */
+            answer: "accepted" | "refused" | "none";
+            /** Author */
+            author: string;
+            /** Details */
+            details: {
+                [key: string]: unknown;
+            };
+            /** Id */
+            id: string;
+            /** Said */
+            said: string;
+            /**
+             * Time
+             * Format: date-time
+             */
+            time: string;
+            /** Took S */
+            took_s: number;
+            /** Verb */
+            verb: string;
+        };
+        /**
+         * BinnedAnswer
+         * @description A deleted mission, to be restored by its id.
+         */
+        BinnedAnswer: {
+            /**
+             * Deleted
+             * Format: date-time
+             */
+            deleted: string;
+            /** Id */
+            id: string;
+            /** Name */
+            name: string;
+            /** Size */
+            size: number;
+        };
+        /**
          * BinnedRun
          * @description A run in the bin.
          */
@@ -785,12 +1290,72 @@ export interface components {
             view: "follow" | "overview" | "top" | "target";
         };
         /**
+         * CaptureMetrics
+         * @description bumpless.CaptureMetrics as JSON.
+         */
+        CaptureMetrics: {
+            /**
+             * Captured
+             * @default false
+             */
+            captured: boolean;
+            /**
+             * Entry Offset M
+             * @default 0
+             */
+            entry_offset_m: number | null;
+            /**
+             * Force Max N
+             * @default 0
+             */
+            force_max_n: number | null;
+            /**
+             * Force Most N
+             * @default 0
+             */
+            force_most_n: number | null;
+            /**
+             * Seat Time S
+             * @default 0
+             */
+            seat_time_s: number | null;
+            /**
+             * Time S
+             * @default 0
+             */
+            time_s: number | null;
+        };
+        /**
+         * CheckAnswer
+         * @description Problems keep a file from being read; findings tell what of the plan can't work, or may not.
+         */
+        CheckAnswer: {
+            /** File */
+            file: string;
+            /** Findings */
+            findings: components["schemas"]["ForesightFinding"][];
+            /** Ok */
+            ok: boolean;
+            /** Problems */
+            problems: components["schemas"]["Problem"][];
+            /** Sha256 */
+            sha256: string;
+        };
+        /**
          * CommandReply
          * @description The vehicle's own answer.
          */
         CommandReply: {
             /** Accepted */
             accepted: boolean;
+            /**
+             * Cause
+             * @default REFUSAL_CAUSE_UNSPECIFIED
+             * @enum {string}
+             */
+            cause: "REFUSAL_CAUSE_UNSPECIFIED" | "REFUSAL_CAUSE_LATE" | "REFUSAL_CAUSE_BUSY" | "REFUSAL_CAUSE_OVERTAKEN" | "REFUSAL_CAUSE_STALE_REVISION" | "REFUSAL_CAUSE_NO_HEADER" | "REFUSAL_CAUSE_NOT_ADDRESSED";
+            /** Id */
+            id: string;
             /** Problems */
             problems: components["schemas"]["Problem"][];
             /** Reason */
@@ -869,6 +1434,61 @@ export interface components {
             settings: components["schemas"]["ComparedSetting"][];
         };
         /**
+         * Counted
+         * @description One kind of what was not taken as it came, with its last example.
+         */
+        Counted: {
+            /** Count */
+            count: number;
+            /** Example */
+            example: string;
+            /** Kind */
+            kind: string;
+            /** Last */
+            last: string | null;
+            /** Meaning */
+            meaning: string;
+        };
+        /**
+         * Diagnostics
+         * @description Nothing silent: every kind that is counted, also those that never happened.
+         */
+        Diagnostics: {
+            /** Audit Trouble */
+            audit_trouble: string;
+            /** Bus Notice */
+            bus_notice: string;
+            /** Clock Offset S */
+            clock_offset_s: number;
+            /** Counted */
+            counted: components["schemas"]["Counted"][];
+            /** Left Out */
+            left_out: components["schemas"]["LeftOut"][];
+            /** Topics */
+            topics: components["schemas"]["TopicAge"][];
+            /** Vehicle Session */
+            vehicle_session: string;
+        };
+        /**
+         * DraftAnswer
+         * @description Work in progress; its name may have no mission yet.
+         */
+        DraftAnswer: {
+            /** Name */
+            name: string;
+            /**
+             * Saved
+             * Format: date-time
+             */
+            saved: string;
+            /** Sha256 */
+            sha256: string;
+            /** Size */
+            size: number;
+            /** Yaml */
+            yaml: string;
+        };
+        /**
          * EndErrors
          * @description bumpless.EndErrors as JSON.
          */
@@ -935,6 +1555,32 @@ export interface components {
             text: string;
         };
         /**
+         * ExchangeItem
+         * @description One thing and what became of it.
+         */
+        ExchangeItem: {
+            /** Carried */
+            carried: boolean;
+            /** Note */
+            note: string;
+            /** What */
+            what: string;
+        };
+        /**
+         * ExportAnswer
+         * @description A mission as another program's file.
+         */
+        ExportAnswer: {
+            /** File Name */
+            file_name: string;
+            /** Items */
+            items: components["schemas"]["ExchangeItem"][];
+            /** Media Type */
+            media_type: string;
+            /** Text */
+            text: string;
+        };
+        /**
          * FieldEntry
          * @description One field of a file format: where it stands, what it means and what it may hold.
          *
@@ -962,6 +1608,320 @@ export interface components {
         } & {
             [key: string]: unknown;
         };
+        /**
+         * ForesightChance
+         * @description Share of the flights so far that docked, with its Wilson interval of 95 %.
+         */
+        ForesightChance: {
+            /** Counts */
+            counts: {
+                [key: string]: number;
+            };
+            /** Docked */
+            docked: number;
+            /** High */
+            high: number;
+            /** Low */
+            low: number;
+            /** Of */
+            of: number;
+        };
+        /**
+         * ForesightDone
+         * @description Nothing more comes for this request.
+         */
+        ForesightDone: {
+            /** Id */
+            id: number;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "done";
+        };
+        /**
+         * ForesightErrors
+         * @description Against the observation point and the approach heading.
+         */
+        ForesightErrors: {
+            /** Depth M */
+            depth_m: number;
+            /** Heading Deg */
+            heading_deg: number;
+            /** Horizontal M */
+            horizontal_m: number;
+            /** Position M */
+            position_m: number;
+            /** Speed Mps */
+            speed_mps: number;
+        };
+        /**
+         * ForesightFailed
+         * @description The request could not be carried out; the last message of its request.
+         */
+        ForesightFailed: {
+            /** Id */
+            id: number;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "failed";
+            /** Reason */
+            reason: string;
+        };
+        /**
+         * ForesightFan
+         * @description Flights that were not told before, and the chance by all so far.
+         */
+        ForesightFan: {
+            chance: components["schemas"]["ForesightChance"];
+            /** Done */
+            done: number;
+            /** Flights */
+            flights: components["schemas"]["ForesightFlight"][];
+            /** Id */
+            id: number;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "fan";
+            /** Of */
+            of: number;
+        };
+        /**
+         * ForesightFinding
+         * @description What of the plan can't work (hard) or is unlikely to (soft), and what would mend it.
+         */
+        ForesightFinding: {
+            /** Change */
+            change: string;
+            /** Code */
+            code: string;
+            /** Column */
+            column: number;
+            /** Line */
+            line: number;
+            /** Mends */
+            mends: components["schemas"]["ForesightMend"][];
+            /** Path */
+            path: string;
+            /** Reason */
+            reason: string;
+            /**
+             * Severity
+             * @enum {string}
+             */
+            severity: "hard" | "soft";
+        };
+        /**
+         * ForesightFindings
+         * @description What stands against the plan, hard ones first.
+         */
+        ForesightFindings: {
+            /** Findings */
+            findings: components["schemas"]["ForesightFinding"][];
+            /** Id */
+            id: number;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "findings";
+        };
+        /**
+         * ForesightFlight
+         * @description One drawn flight: how it ended and at most 60 points of its way.
+         */
+        ForesightFlight: {
+            /** Closest M */
+            closest_m: number;
+            /** Depth M */
+            depth_m: number[];
+            /** East M */
+            east_m: number[];
+            /** End S */
+            end_s: number;
+            /** North M */
+            north_m: number[];
+            /** Number */
+            number: number;
+            /** Outcome */
+            outcome: string;
+            /** Seed */
+            seed: number;
+        };
+        /**
+         * ForesightMend
+         * @description A change of the document that mends a finding.
+         */
+        ForesightMend: {
+            /** Label */
+            label: string;
+            /** Path */
+            path: string;
+            /** Value */
+            value: number | string | boolean | number[] | null;
+        };
+        ForesightMessage: components["schemas"]["ForesightProblems"] | components["schemas"]["ForesightFindings"] | components["schemas"]["ForesightNominal"] | components["schemas"]["ForesightFan"] | components["schemas"]["ForesightDone"] | components["schemas"]["ForesightFailed"];
+        /**
+         * ForesightNominal
+         * @description The flight of the plan as it stands: equal, to the bit, to `bumpless run` of the same text and seed.
+         */
+        ForesightNominal: {
+            /** Arrival S */
+            arrival_s: number | null;
+            /** Digest */
+            digest: string;
+            /** Elapsed Ms */
+            elapsed_ms: number;
+            /** Energy J */
+            energy_j: number;
+            /** Id */
+            id: number;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "nominal";
+            /** Length M */
+            length_m: number;
+            outcome: components["schemas"]["ForesightOutcome"];
+            /** Seed */
+            seed: number;
+            /** Sha256 */
+            sha256: string;
+            /** Switches */
+            switches: components["schemas"]["ForesightSwitch"][];
+            track: components["schemas"]["ForesightTrack"];
+        };
+        /**
+         * ForesightOutcome
+         * @description How the flight ended: the fields of `bumpless.Outcome`.
+         */
+        ForesightOutcome: {
+            /** Basis */
+            basis: string;
+            believed_errors: components["schemas"]["ForesightErrors"] | null;
+            /** Closest M */
+            closest_m: number | null;
+            /** Closest S */
+            closest_s: number | null;
+            /** Ending */
+            ending: string;
+            /** Held S */
+            held_s: number;
+            /** Mode */
+            mode: string;
+            /** Reason */
+            reason: string;
+            /** Tries */
+            tries: number;
+            true_errors: components["schemas"]["ForesightErrors"] | null;
+        };
+        /**
+         * ForesightProblem
+         * @description A rule of the format that the text breaks, with its place.
+         */
+        ForesightProblem: {
+            /** Column */
+            column: number;
+            /** Field */
+            field: string;
+            /** Line */
+            line: number;
+            /** Message */
+            message: string;
+            /** Rule */
+            rule: string;
+            /** Value */
+            value: string;
+        };
+        /**
+         * ForesightProblems
+         * @description The text can't be read; the last message of its request.
+         */
+        ForesightProblems: {
+            /** Id */
+            id: number;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "problems";
+            /** Problems */
+            problems: components["schemas"]["ForesightProblem"][];
+        };
+        /**
+         * ForesightRequest
+         * @description One request of a client of /ws/foresight. A newer one takes the place of an older one at once.
+         */
+        ForesightRequest: {
+            /**
+             * Flights
+             * @description drawn flights after the nominal one
+             * @default 0
+             */
+            flights?: number;
+            /**
+             * Id
+             * @description comes back with every answer
+             */
+            id: number;
+            overrides?: components["schemas"]["Overrides"];
+            /**
+             * Seed
+             * @description null: the mission's own
+             * @default null
+             */
+            seed?: number | null;
+            /**
+             * Text
+             * @description the mission's YAML, BOM and line ends and all
+             */
+            text: string;
+        };
+        /**
+         * ForesightSwitch
+         * @description A change of mode.
+         */
+        ForesightSwitch: {
+            /** From */
+            from: string;
+            /** T S */
+            t_s: number;
+            /** To */
+            to: string;
+        };
+        /**
+         * ForesightTrack
+         * @description The flight's truth, at most 600 cycles of it.
+         */
+        ForesightTrack: {
+            /** Depth Error M */
+            depth_error_m: number[];
+            /** Depth M */
+            depth_m: number[];
+            /** East M */
+            east_m: number[];
+            /** Heading Deg */
+            heading_deg: number[];
+            /** Margin */
+            margin: number[];
+            /** Mode */
+            mode: string[];
+            /** North M */
+            north_m: number[];
+            /** Saturation */
+            saturation: number[];
+            /** Speed M S */
+            speed_m_s: number[];
+            /** T S */
+            t_s: number[];
+            /** Worst Actuator */
+            worst_actuator: string[];
+        };
         /** HTTPValidationError */
         HTTPValidationError: {
             /** Detail */
@@ -981,10 +1941,51 @@ export interface components {
             version: string;
         };
         /**
+         * ImportAnswer
+         * @description A mission made of a foreign file; nothing is saved yet.
+         */
+        ImportAnswer: {
+            /** Items */
+            items: components["schemas"]["ExchangeItem"][];
+            /** Kind */
+            kind: string;
+            /** Name */
+            name: string;
+            /** Parts */
+            parts: string[];
+            /** Problems */
+            problems: components["schemas"]["Problem"][];
+            /** Yaml */
+            yaml: string;
+        };
+        /**
+         * LeftOut
+         * @description A file or folder in the data folder that stands in no list, and why.
+         */
+        LeftOut: {
+            /** Folder */
+            folder: string;
+            /** Name */
+            name: string;
+            /** Reason */
+            reason: string;
+        };
+        /**
+         * Marked
+         * @description What to note of a mission; null leaves as it is.
+         */
+        Marked: {
+            /** Archived */
+            archived?: boolean | null;
+            /** Tags */
+            tags?: string[] | null;
+        };
+        /**
          * Metrics
          * @description A run's figures of merit.
          */
         Metrics: {
+            capture: components["schemas"]["CaptureMetrics"] | null;
             /**
              * Cycles
              * @default 0
@@ -1106,6 +2107,8 @@ export interface components {
          * @description A mission with its text, and what a sketch of its plan needs when the text is valid.
          */
         MissionDetail: {
+            /** Archived */
+            archived: boolean;
             /** Builtin */
             builtin: boolean;
             /** Current Ned Mps */
@@ -1137,8 +2140,12 @@ export interface components {
             seed: number | null;
             /** Sha256 */
             sha256: string;
+            /** Size */
+            size: number;
             /** Summary */
             summary: string;
+            /** Tags */
+            tags: string[];
             target: components["schemas"]["Target"] | null;
             /** Title */
             title: string;
@@ -1207,6 +2214,8 @@ export interface components {
          * @description A stored mission in the list. `valid` false: the file breaks a rule and cannot be flown.
          */
         MissionSummary: {
+            /** Archived */
+            archived: boolean;
             /** Builtin */
             builtin: boolean;
             /** Duration S */
@@ -1226,8 +2235,12 @@ export interface components {
             seed: number | null;
             /** Sha256 */
             sha256: string;
+            /** Size */
+            size: number;
             /** Summary */
             summary: string;
+            /** Tags */
+            tags: string[];
             /** Title */
             title: string;
             /** Valid */
@@ -1405,6 +2418,35 @@ export interface components {
             true_errors: components["schemas"]["EndErrors"] | null;
         };
         /**
+         * Overrides
+         * @description What-if: numbers that differ from the document's.
+         */
+        Overrides: {
+            /**
+             * Current
+             * @description NED, m/s, the way it flows, in place of the mission's
+             * @default null
+             */
+            current?: [
+                number,
+                number,
+                number
+            ] | null;
+            /**
+             * Parameters
+             * @description by path: {"hover.lambda": 0.01}
+             */
+            parameters?: {
+                [key: string]: unknown;
+            };
+            /**
+             * Vehicle
+             * @description another vehicle's id
+             * @default null
+             */
+            vehicle?: string | null;
+        };
+        /**
          * Parameters
          * @description A whole set of tunable parameters.
          */
@@ -1428,6 +2470,32 @@ export interface components {
             revision: number;
             /** Sha256 */
             sha256: string;
+        };
+        /**
+         * Planning
+         * @description A vehicle as a plan shows it: size, sight, thresholds and approach, and what can fail.
+         */
+        Planning: {
+            /** Actuators */
+            actuators: string[];
+            approach: components["schemas"]["Approach"];
+            /** Diameter M */
+            diameter_m: number;
+            /** Id */
+            id: string;
+            /** Length M */
+            length_m: number;
+            /** Name */
+            name: string;
+            /** Sha256 */
+            sha256: string;
+            sight: components["schemas"]["Sight"];
+            /** Sways */
+            sways: boolean;
+            /** Thresholds M */
+            thresholds_m: {
+                [key: string]: number;
+            };
         };
         /**
          * Preset
@@ -1666,6 +2734,18 @@ export interface components {
             vehicle_name: string;
         };
         /**
+         * Sight
+         * @description The target camera's, as the vehicle file says; a mission may set others.
+         */
+        Sight: {
+            /** Half Angle Deg */
+            half_angle_deg: number;
+            /** Range Max M */
+            range_max_m: number;
+            /** Range Min M */
+            range_min_m: number;
+        };
+        /**
          * Stamp
          * @description bumpless.Stamp as JSON.
          */
@@ -1691,6 +2771,12 @@ export interface components {
          * @description Request to fly a mission.
          */
         Start: {
+            /**
+             * Despite Findings
+             * @description start though a finding says that it can't work: the operator has read it
+             * @default false
+             */
+            despite_findings?: boolean;
             /** Name */
             name: string;
             /**
@@ -1700,12 +2786,27 @@ export interface components {
             operator?: string;
             /** Seed */
             seed?: number | null;
+            /**
+             * Sha256
+             * @description Refuse when the file is another
+             */
+            sha256?: string | null;
         };
         /**
          * Status
          * @description ServerStatus, and what the server sees.
          */
         Status: {
+            /**
+             * Bus Notice
+             * @default
+             */
+            bus_notice: string;
+            /**
+             * Clock Offset S
+             * @default 0
+             */
+            clock_offset_s: number | null;
             /**
              * Link
              * @default LINK_STATE_UNSPECIFIED
@@ -1754,6 +2855,11 @@ export interface components {
              */
             server_version: string;
             /**
+             * Set Aside
+             * @default 0
+             */
+            set_aside: string;
+            /**
              * Stream Clients
              * @default 0
              */
@@ -1768,6 +2874,8 @@ export interface components {
              * @default 0
              */
             time_ns: string;
+            /** Topics */
+            topics: components["schemas"]["TopicFreshness"][];
             vehicle: components["schemas"]["SeenVehicle"] | null;
             /**
              * Vehicle Id
@@ -1911,6 +3019,70 @@ export interface components {
                 number
             ];
         };
+        /**
+         * TemplateAnswer
+         * @description Something to begin from.
+         */
+        TemplateAnswer: {
+            /** Name */
+            name: string;
+            /** Summary */
+            summary: string;
+            /** Title */
+            title: string;
+            /** Vehicle */
+            vehicle: string;
+            /** Yaml */
+            yaml: string;
+        };
+        /**
+         * To
+         * @description Another file name.
+         */
+        To: {
+            /** To */
+            to: string;
+        };
+        /**
+         * TopicAge
+         * @description How old the last message of a topic is. `late`: older than its rate allows, or never heard.
+         */
+        TopicAge: {
+            /** Age S */
+            age_s: number | null;
+            /** Fresh For S */
+            fresh_for_s: number;
+            /** Late */
+            late: boolean;
+            /** Topic */
+            topic: string;
+        };
+        /**
+         * TopicFreshness
+         * @description bumpless.TopicFreshness as JSON.
+         */
+        TopicFreshness: {
+            /**
+             * Age S
+             * @default 0
+             */
+            age_s: number | null;
+            /**
+             * Fresh For S
+             * @default 0
+             */
+            fresh_for_s: number | null;
+            /**
+             * Late
+             * @default false
+             */
+            late: boolean;
+            /**
+             * Topic
+             * @default
+             */
+            topic: string;
+        };
         /** ValidationError */
         ValidationError: {
             /** Context */
@@ -1946,6 +3118,35 @@ export interface components {
             /** Sha256 */
             sha256: string;
         };
+        /**
+         * VersionAnswer
+         * @description A saved state of a mission.
+         */
+        VersionAnswer: {
+            /** Id */
+            id: string;
+            /**
+             * Saved
+             * Format: date-time
+             */
+            saved: string;
+            /** Sha256 */
+            sha256: string;
+            /** Size */
+            size: number;
+        };
+        /**
+         * VersionText
+         * @description A saved state of a mission, whole.
+         */
+        VersionText: {
+            /** Id */
+            id: string;
+            /** Sha256 */
+            sha256: string;
+            /** Yaml */
+            yaml: string;
+        };
     };
     responses: never;
     parameters: never;
@@ -1975,6 +3176,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2015,6 +3225,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     shelve_api_alarms__alarm__shelve_post: {
@@ -2041,6 +3260,93 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    audit_api_audit_get: {
+        parameters: {
+            query?: {
+                limit?: number;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["AuditEntry"][];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    audit_file_api_audit_jsonl_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/jsonl": unknown;
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2077,6 +3383,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     empty_api_bin__run__delete: {
@@ -2106,6 +3421,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     restore_api_bin__run__restore_post: {
@@ -2128,6 +3452,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2166,6 +3499,91 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    diagnostics_api_diagnostics_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Diagnostics"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    drafts_api_drafts_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["DraftAnswer"][];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     events_api_events_get: {
@@ -2190,6 +3608,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2228,6 +3655,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     health_api_health_get: {
@@ -2250,6 +3686,133 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    binned_api_mission_bin_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["BinnedAnswer"][];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    restore_api_mission_bin__binned__restore_post: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                binned: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MissionDetail"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    mission_templates_api_mission_templates_get: {
+        parameters: {
+            query?: {
+                vehicle?: string | null;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["TemplateAnswer"][];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2290,6 +3853,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     change_api_mission__verb__post: {
@@ -2321,6 +3893,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     missions_api_missions_get: {
@@ -2343,6 +3924,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2382,6 +3972,149 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    check_api_missions_check_post: {
+        parameters: {
+            query?: {
+                file_name?: string;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/yaml": string;
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["CheckAnswer"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    give_out_api_missions_export_post: {
+        parameters: {
+            query: {
+                to: "plan" | "wpl" | "geojson" | "kml" | "csv";
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/yaml": string;
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ExportAnswer"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    take_in_api_missions_import_post: {
+        parameters: {
+            query: {
+                file_name: string;
+                vehicle?: string | null;
+                part?: string | null;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/octet-stream": string;
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ImportAnswer"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     mission_api_missions__name__get: {
@@ -2413,9 +4146,188 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    save_api_missions__name__put: {
+        parameters: {
+            query?: {
+                base?: string | null;
+            };
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/yaml": string;
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MissionDetail"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     remove_api_missions__name__delete: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["BinnedAnswer"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    draft_api_missions__name__draft_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["DraftAnswer"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    keep_draft_api_missions__name__draft_put: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/yaml": string;
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["DraftAnswer"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    drop_draft_api_missions__name__draft_delete: {
         parameters: {
             query?: never;
             header?: never;
@@ -2435,6 +4347,348 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    duplicate_api_missions__name__duplicate_post: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["To"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MissionDetail"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    export_api_missions__name__export_get: {
+        parameters: {
+            query: {
+                to: "plan" | "wpl" | "geojson" | "kml" | "csv";
+            };
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ExportAnswer"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    file_api_missions__name__file_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    findings_api_missions__name__findings_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["CheckAnswer"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    history_api_missions__name__history_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["VersionAnswer"][];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    version_api_missions__name__history__version__get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+                version: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["VersionText"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    mark_api_missions__name__marks_put: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["Marked"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MissionDetail"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    rename_api_missions__name__rename_post: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["To"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MissionDetail"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2471,6 +4725,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     change_api_parameters_put: {
@@ -2500,6 +4763,93 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    vehicles_api_planning_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": string[];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    planning_api_planning__vehicle__get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                vehicle: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Planning"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     presets_api_presets_get: {
@@ -2522,6 +4872,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2560,6 +4919,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     save_api_presets__name__put: {
@@ -2584,6 +4952,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2620,6 +4997,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     runs_api_runs_get: {
@@ -2642,6 +5028,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2680,6 +5075,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     remove_api_runs__run__delete: {
@@ -2702,6 +5106,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2735,6 +5148,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2777,6 +5199,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     download_api_runs__run__log_mcap_get: {
@@ -2801,6 +5232,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2839,6 +5279,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     replay_api_runs__run__replay_get: {
@@ -2863,6 +5312,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2896,6 +5354,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2967,6 +5434,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     status_api_status_get: {
@@ -2996,6 +5472,15 @@ export interface operations {
                     "application/json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     vehicle_api_vehicle_get: {
@@ -3018,6 +5503,15 @@ export interface operations {
             };
             /** @description Refused, with the reason */
             "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
                 headers: {
                     [name: string]: unknown;
                 };

@@ -17,7 +17,7 @@ import type { Message } from "@bufbuild/protobuf";
  * Describes the file bumpless.proto.
  */
 export const file_bumpless: GenFile = /*@__PURE__*/
-  fileDesc("Cg5idW1wbGVzcy5wcm90bxIIYnVtcGxlc3MiKgoHVmVjdG9yMxIJCgF4GAEgASgBEgkKAXkYAiABKAESCQoBehgDIAEoASJACghBdHRpdHVkZRIQCghyb2xsX2RlZxgBIAEoARIRCglwaXRjaF9kZWcYAiABKAESDwoHeWF3X2RlZxgDIAEoASJZCgZXcmVuY2gSCwoDeF9uGAEgASgBEgsKA3lfbhgCIAEoARILCgN6X24YAyABKAESDAoEa19ubRgEIAEoARIMCgRtX25tGAUgASgBEgwKBG5fbm0YBiABKAEiPwoFU3RhbXASDwoHdGltZV9ucxgBIAEoBBIWCg5taXNzaW9uX3RpbWVfcxgCIAEoARINCgVjeWNsZRgDIAEoBCKAAwoKTmF2aWdhdGlvbhIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEikKDnBvc2l0aW9uX25lZF9tGAIgASgLMhEuYnVtcGxlc3MuVmVjdG9yMxIkCghhdHRpdHVkZRgDIAEoCzISLmJ1bXBsZXNzLkF0dGl0dWRlEiwKEXZlbG9jaXR5X2JvZHlfbXBzGAQgASgLMhEuYnVtcGxlc3MuVmVjdG9yMxI6Ch92ZWxvY2l0eV90aHJvdWdoX3dhdGVyX2JvZHlfbXBzGAUgASgLMhEuYnVtcGxlc3MuVmVjdG9yMxIyChdhbmd1bGFyX3JhdGVfYm9keV9kZWdwcxgGIAEoCzIRLmJ1bXBsZXNzLlZlY3RvcjMSDwoHZGVwdGhfbRgHIAEoARIdChVzcGVlZF9vdmVyX2dyb3VuZF9tcHMYCCABKAESMwoYY3VycmVudF9lc3RpbWF0ZV9uZWRfbXBzGAkgASgLMhEuYnVtcGxlc3MuVmVjdG9yMyKUAgoIR3VpZGFuY2USHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIhChlzdXJnZV9zcGVlZF9yZWZlcmVuY2VfbXBzGAIgASgBEhkKEWRlcHRoX3JlZmVyZW5jZV9tGAMgASgBEi4KEmF0dGl0dWRlX3JlZmVyZW5jZRgEIAEoCzISLmJ1bXBsZXNzLkF0dGl0dWRlEhsKE2Nyb3NzX3RyYWNrX2Vycm9yX20YBSABKAESGwoTYWxvbmdfdHJhY2tfZXJyb3JfbRgGIAEoARILCgNsZWcYByABKA0SEQoJbGVnX2NvdW50GAggASgNEiAKGHN3YXlfc3BlZWRfcmVmZXJlbmNlX21wcxgJIAEoASL7BAoKU3VwZXJ2aXNvchIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEhwKBG1vZGUYAiABKA4yDi5idW1wbGVzcy5Nb2RlEiUKDXByZXZpb3VzX21vZGUYAyABKA4yDi5idW1wbGVzcy5Nb2RlEg8KB3JhbmdlX20YBCABKAESFQoNZGV0ZWN0aW9uX3JhdxgFIAEoCBIRCglkZXRlY3Rpb24YBiABKAgSDQoFa2FwcGEYByABKAESFgoOdGltZV9pbl9tb2RlX3MYCCABKAESGQoRZHdlbGxfcmVtYWluaW5nX3MYCSABKAESGAoQcmFuZ2VfcmhfbG93ZXJfbRgKIAEoARIYChByYW5nZV9yaF91cHBlcl9tGAsgASgBEhgKEHJhbmdlX2ZyX2xvd2VyX20YDCABKAESGAoQcmFuZ2VfZnJfdXBwZXJfbRgNIAEoARIYChByYW5nZV9oZl91cHBlcl9tGA4gASgBEiUKBXBoYXNlGA8gASgOMhYuYnVtcGxlc3MuTWlzc2lvblBoYXNlEi0KDWRvY2tpbmdfc3RhZ2UYECABKA4yFi5idW1wbGVzcy5Eb2NraW5nU3RhZ2USFQoNZG9ja2luZ190cmllcxgRIAEoDRIaChJkb2NraW5nX3RyaWVzX21vc3QYEiABKA0SMAoPd2F2ZV9vZmZfcmVhc29uGBMgASgOMhcuYnVtcGxlc3MuV2F2ZU9mZlJlYXNvbhIcChRhcHByb2FjaF9oZWFkaW5nX2RlZxgUIAEoARIRCglmaXhfYWdlX3MYFSABKAESHQoFZmxvd24YFiABKA4yDi5idW1wbGVzcy5Nb2RlImAKBUd1YXJkEgwKBG5hbWUYASABKAkSDQoFdmFsdWUYAiABKAESDQoFbGltaXQYAyABKAESEAoIYXRfbGVhc3QYBCABKAgSCwoDbWV0GAUgASgIEgwKBHVuaXQYBiABKAkiaQoITW9kZUV4aXQSGgoCdG8YASABKA4yDi5idW1wbGVzcy5Nb2RlEgwKBG5hbWUYAiABKAkSHwoGZ3VhcmRzGAMgAygLMg8uYnVtcGxlc3MuR3VhcmQSEgoKZXhwZWN0ZWRfcxgEIAEoASJoCgVFeGl0cxIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEhwKBG1vZGUYAiABKA4yDi5idW1wbGVzcy5Nb2RlEiEKBWV4aXRzGAMgAygLMhIuYnVtcGxlc3MuTW9kZUV4aXQi3wEKB0NvbnRyb2wSHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIiCghkZW1hbmRlZBgCIAEoCzIQLmJ1bXBsZXNzLldyZW5jaBImCgxkZW1hbmRlZF9yYXcYAyABKAsyEC5idW1wbGVzcy5XcmVuY2gSIgoIYWNoaWV2ZWQYBCABKAsyEC5idW1wbGVzcy5XcmVuY2gSIgoIcmVzaWR1YWwYBSABKAsyEC5idW1wbGVzcy5XcmVuY2gSIAoGZnJvemVuGAYgASgLMhAuYnVtcGxlc3MuV3JlbmNoIvoBCgpBbGxvY2F0aW9uEh4KBXN0YW1wGAEgASgLMg8uYnVtcGxlc3MuU3RhbXASJQoGc3RhdHVzGAIgASgOMhUuYnVtcGxlc3MuU29sdmVTdGF0dXMSFgoOc3FwX2l0ZXJhdGlvbnMYAyABKA0SFAoMa2t0X3Jlc2lkdWFsGAQgASgBEhUKDXJlc2lkdWFsX25vcm0YBSABKAESDAoEY29zdBgGIAEoARIVCg1zb2x2ZV90aW1lX3VzGAcgASgBEhcKD3NhdHVyYXRlZF9jb3VudBgIIAEoDRIOCgZzb2x2ZXIYCSABKAkSEgoKc2xhY2tfbm9ybRgKIAEoASKxAgoIQWN0dWF0b3ISDAoEbmFtZRgBIAEoCRIMCgR1bml0GAIgASgJEg8KB2NvbW1hbmQYAyABKAESEAoIZmVlZGJhY2sYBCABKAESDQoFbG93ZXIYBSABKAESDQoFdXBwZXIYBiABKAESFwoPYW1wbGl0dWRlX2xvd2VyGAcgASgBEhcKD2FtcGxpdHVkZV91cHBlchgIIAEoARIRCglzYXR1cmF0ZWQYCSABKAgSFAoMcmF0ZV9saW1pdGVkGAogASgIEhcKD2luY3JlbWVudF9ib3VuZBgLIAEoARIaCg1lZmZlY3RpdmVuZXNzGAwgASgBSACIAQESFgoOZmF1bHRfZXZpZGVuY2UYDSABKAESDgoGZmF1bHR5GA4gASgIQhAKDl9lZmZlY3RpdmVuZXNzIlIKCUFjdHVhdG9ycxIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEiUKCWFjdHVhdG9ycxgCIAMoCzISLmJ1bXBsZXNzLkFjdHVhdG9yIvQBCgZUYXJnZXQSHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIQCghkZXRlY3RlZBgCIAEoCBIYChBtZWFzdXJlZF9yYW5nZV9tGAMgASgBEhMKC2JlYXJpbmdfZGVnGAQgASgBEhUKDWVsZXZhdGlvbl9kZWcYBSABKAESKQoOcG9zaXRpb25fbmVkX20YBiABKAsyES5idW1wbGVzcy5WZWN0b3IzEhMKC2hlYWRpbmdfZGVnGAcgASgBEjIKF29ic2VydmF0aW9uX3BvaW50X25lZF9tGAggASgLMhEuYnVtcGxlc3MuVmVjdG9yMyLtAQoNTWlzc2lvblN0YXR1cxIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEiUKBXBoYXNlGAIgASgOMhYuYnVtcGxlc3MuTWlzc2lvblBoYXNlEg4KBnJ1bl9pZBgDIAEoCRIUCgxtaXNzaW9uX25hbWUYBCABKAkSFgoObWlzc2lvbl9zaGEyNTYYBSABKAkSEgoKZHVyYXRpb25fcxgGIAEoARIRCgllbGFwc2VkX3MYByABKAESDAoEc2VlZBgIIAEoDRISCgplbmRfcmVhc29uGAkgASgJEg4KBmhlbGRfcxgKIAEoASKGAQoEUGxhbhIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEhEKCWZpbGVfbmFtZRgCIAEoCRIUCgxtaXNzaW9uX3lhbWwYAyABKAkSDgoGc2hhMjU2GAQgASgJEiUKCnBhdGhfbmVkX20YBSADKAsyES5idW1wbGVzcy5WZWN0b3IzIl0KDk1vZGVQYXJhbWV0ZXJzEhIKCnFfZGlhZ29uYWwYASADKAESEgoKcl9kaWFnb25hbBgCIAMoARIOCgZsYW1iZGEYAyABKAESEwoLcmFtcF9jeWNsZXMYBCABKA0i/wEKFFN1cGVydmlzb3JQYXJhbWV0ZXJzEhgKEHJhbmdlX3JoX2xvd2VyX20YASABKAESGAoQcmFuZ2VfcmhfdXBwZXJfbRgCIAEoARIYChByYW5nZV9mcl9sb3dlcl9tGAMgASgBEhgKEHJhbmdlX2ZyX3VwcGVyX20YBCABKAESGAoQcmFuZ2VfaGZfdXBwZXJfbRgFIAEoARIUCgxkd2VsbF9jeWNsZXMYBiABKA0SFgoOZGV0ZWN0aW9uX2hpdHMYByABKA0SGAoQZGV0ZWN0aW9uX3dpbmRvdxgIIAEoDRIdChVkZXRlY3Rpb25faG9sZF9jeWNsZXMYCSABKA0iXwoSQnVtcGxlc3NQYXJhbWV0ZXJzEgwKBHJhbXAYASABKAgSHAoUaW50ZWdyYXRvcl9hbGlnbm1lbnQYAiABKAgSHQoVd2FybV9zdGFydF9wcm9qZWN0aW9uGAMgASgIIu8BCgpQYXJhbWV0ZXJzEikKB2ZvcndhcmQYASABKAsyGC5idW1wbGVzcy5Nb2RlUGFyYW1ldGVycxIpCgdyZXZlcnNlGAIgASgLMhguYnVtcGxlc3MuTW9kZVBhcmFtZXRlcnMSJwoFaG92ZXIYAyABKAsyGC5idW1wbGVzcy5Nb2RlUGFyYW1ldGVycxIyCgpzdXBlcnZpc29yGAQgASgLMh4uYnVtcGxlc3MuU3VwZXJ2aXNvclBhcmFtZXRlcnMSLgoIYnVtcGxlc3MYBSABKAsyHC5idW1wbGVzcy5CdW1wbGVzc1BhcmFtZXRlcnMiuwEKEFBhcmFtZXRlcnNTdGF0dXMSHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIkCgZhY3RpdmUYAiABKAsyFC5idW1wbGVzcy5QYXJhbWV0ZXJzEhAKCHJldmlzaW9uGAMgASgEEg4KBnNoYTI1NhgEIAEoCRImCghkZWZhdWx0cxgFIAEoCzIULmJ1bXBsZXNzLlBhcmFtZXRlcnMSFwoPcGFyYW1ldGVyc19qc29uGAYgASgJIuQBChJWZWhpY2xlRGVzY3JpcHRpb24SHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBISCgp2ZWhpY2xlX2lkGAIgASgJEhQKDHZlaGljbGVfbmFtZRgDIAEoCRIUCgx2ZWhpY2xlX3RvbWwYBCABKAkSDgoGc2hhMjU2GAUgASgJEhgKEHNvZnR3YXJlX3ZlcnNpb24YBiABKAkSGAoQY29udHJvbF9wZXJpb2RfcxgHIAEoARIWCg5hY3R1YXRvcl9uYW1lcxgIIAMoCRISCgpzZXNzaW9uX2lkGAkgASgJIowCCgZIZWFsdGgSHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIOCgZjeWNsZXMYAiABKAQSFQoNbWlzc2VkX2N5Y2xlcxgDIAEoBBIXCg9sYXRlbmVzc19wOTlfbXMYBCABKAESFwoPbGF0ZW5lc3NfbWF4X21zGAUgASgBEhkKEWN5Y2xlX3RpbWVfcDUwX3VzGAYgASgBEhkKEWN5Y2xlX3RpbWVfcDk5X3VzGAcgASgBEhYKDnJlc2lkZW50X2J5dGVzGAggASgEEhIKCnByb2Nlc3NfaWQYCSABKA0SEQoJaG9zdF9uYW1lGAogASgJEhQKDGRyb3BwZWRfcm93cxgLIAEoBCLIAQoFRXZlbnQSHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIkCghzZXZlcml0eRgCIAEoDjISLmJ1bXBsZXNzLlNldmVyaXR5EgwKBGNvZGUYAyABKAkSDAoEdGV4dBgEIAEoCRItCgdkZXRhaWxzGAUgAygLMhwuYnVtcGxlc3MuRXZlbnQuRGV0YWlsc0VudHJ5Gi4KDERldGFpbHNFbnRyeRILCgNrZXkYASABKAkSDQoFdmFsdWUYAiABKAk6AjgBIv8CCgpUcnV0aFN0YXRlEh4KBXN0YW1wGAEgASgLMg8uYnVtcGxlc3MuU3RhbXASKQoOcG9zaXRpb25fbmVkX20YAiABKAsyES5idW1wbGVzcy5WZWN0b3IzEiQKCGF0dGl0dWRlGAMgASgLMhIuYnVtcGxlc3MuQXR0aXR1ZGUSLAoRdmVsb2NpdHlfYm9keV9tcHMYBCABKAsyES5idW1wbGVzcy5WZWN0b3IzEjIKF2FuZ3VsYXJfcmF0ZV9ib2R5X2RlZ3BzGAUgASgLMhEuYnVtcGxlc3MuVmVjdG9yMxIpCg9hY3R1YXRvcl93cmVuY2gYBiABKAsyEC5idW1wbGVzcy5XcmVuY2gSKgoPY3VycmVudF9uZWRfbXBzGAcgASgLMhEuYnVtcGxlc3MuVmVjdG9yMxIVCg1lZmZlY3RpdmVuZXNzGAggAygBEjAKFXRhcmdldF9wb3NpdGlvbl9uZWRfbRgJIAEoCzIRLmJ1bXBsZXNzLlZlY3RvcjMiZQoMU3RhcnRNaXNzaW9uEhEKCWZpbGVfbmFtZRgBIAEoCRIUCgxtaXNzaW9uX3lhbWwYAiABKAkSEQoEc2VlZBgDIAEoDUgAiAEBEhAKCG9wZXJhdG9yGAQgASgJQgcKBV9zZWVkIgcKBUVtcHR5IncKDENvbW1hbmRSZXBseRIQCghhY2NlcHRlZBgBIAEoCBIOCgZyZWFzb24YAiABKAkSIwoIcHJvYmxlbXMYAyADKAsyES5idW1wbGVzcy5Qcm9ibGVtEg4KBnJ1bl9pZBgEIAEoCRIQCghyZXZpc2lvbhgFIAEoBCJhCgdQcm9ibGVtEgwKBGZpbGUYASABKAkSDAoEbGluZRgCIAEoDRIOCgZjb2x1bW4YAyABKA0SDQoFZmllbGQYBCABKAkSDQoFdmFsdWUYBSABKAkSDAoEcnVsZRgGIAEoCSLgAgoNU3dpdGNoTWV0cmljcxIhCglmcm9tX21vZGUYASABKA4yDi5idW1wbGVzcy5Nb2RlEh8KB3RvX21vZGUYAiABKA4yDi5idW1wbGVzcy5Nb2RlEg4KBnRpbWVfcxgDIAEoARIfChdjb21tYW5kX3N0ZXBfbm9ybWFsaXNlZBgEIAEoARIYChBjb21tYW5kX3N0ZXBfcmF3GAUgASgBEhUKDWFjdHVhdG9yX3N0ZXAYBiADKAESEgoKc2V0dGxpbmdfcxgHIAEoARIdChVjb21tYW5kX3N0ZXBfc2V0dGxpbmcYCCABKAESFAoMZm9yY2Vfc3RlcF9uGAkgASgBEhYKDm1vbWVudF9zdGVwX25tGAogASgBEh4KFmFjY2VsZXJhdGlvbl9zdGVwX21wczIYCyABKAESKAogYW5ndWxhcl9hY2NlbGVyYXRpb25fc3RlcF9kZWdwczIYDCABKAEi/wMKC01vZGVNZXRyaWNzEhwKBG1vZGUYASABKA4yDi5idW1wbGVzcy5Nb2RlEhIKCmR1cmF0aW9uX3MYAiABKAESDwoHc2FtcGxlcxgDIAEoDRITCgtkZXB0aF9ybXNfbRgEIAEoARIcChRkZXB0aF9wZWFrX3RvX3BlYWtfbRgFIAEoARIUCgxyb2xsX3Jtc19kZWcYBiABKAESFQoNcGl0Y2hfcm1zX2RlZxgHIAEoARITCgt5YXdfcm1zX2RlZxgIIAEoARIcChRzdXJnZV9zcGVlZF9tZWFuX21wcxgJIAEoARIUCgxhY3R1YXRvcl9ybXMYCiADKAESFAoMcmVzaWR1YWxfcm1zGAsgASgBEhkKEWRlcHRoX2Vycm9yX3Jtc19tGAwgASgBEhkKEWRlcHRoX2Vycm9yX21heF9tGA0gASgBEh8KF2Nyb3NzX3RyYWNrX2Vycm9yX3Jtc19tGA4gASgBEh8KF2Nyb3NzX3RyYWNrX2Vycm9yX21heF9tGA8gASgBEh0KFWhlYWRpbmdfZXJyb3Jfcm1zX2RlZxgQIAEoARIdChVoZWFkaW5nX2Vycm9yX21heF9kZWcYESABKAESGwoTc3BlZWRfZXJyb3Jfcm1zX21wcxgSIAEoARIbChNzcGVlZF9lcnJvcl9tYXhfbXBzGBMgASgBIm4KCUVuZEVycm9ycxISCgpwb3NpdGlvbl9tGAEgASgBEhQKDGhvcml6b250YWxfbRgCIAEoARIPCgdkZXB0aF9tGAMgASgBEhMKC2hlYWRpbmdfZGVnGAQgASgBEhEKCXNwZWVkX21wcxgFIAEoASKFAgoHT3V0Y29tZRIgCgZlbmRpbmcYASABKA4yEC5idW1wbGVzcy5FbmRpbmcSDgoGcmVhc29uGAIgASgJEg0KBWJhc2lzGAMgASgJEhwKBG1vZGUYBCABKA4yDi5idW1wbGVzcy5Nb2RlEg4KBmhlbGRfcxgFIAEoARIRCgljbG9zZXN0X20YBiABKAESEQoJY2xvc2VzdF9zGAcgASgBEigKC3RydWVfZXJyb3JzGAggASgLMhMuYnVtcGxlc3MuRW5kRXJyb3JzEiwKD2JlbGlldmVkX2Vycm9ycxgJIAEoCzITLmJ1bXBsZXNzLkVuZEVycm9ycxINCgV0cmllcxgKIAEoDSKIBQoHTWV0cmljcxIOCgZydW5faWQYASABKAkSEgoKZHVyYXRpb25fcxgCIAEoARIOCgZjeWNsZXMYAyABKA0SFAoMcmVzaWR1YWxfcm1zGAQgASgBEhgKEHNhdHVyYXRpb25fcmF0aW8YBSABKAESDgoGZF91X2ZyGAYgASgBEg4KBmRfdV9yaBgHIAEoARIpCghzd2l0Y2hlcxgIIAMoCzIXLmJ1bXBsZXNzLlN3aXRjaE1ldHJpY3MSJAoFbW9kZXMYCSADKAsyFS5idW1wbGVzcy5Nb2RlTWV0cmljcxIaChJzb2x2ZV90aW1lX21lYW5fdXMYCiABKAESGQoRc29sdmVfdGltZV9zdGRfdXMYCyABKAESGQoRc29sdmVfdGltZV9wOTVfdXMYDCABKAESGQoRc29sdmVfdGltZV9tYXhfdXMYDSABKAESFQoNZmluYWxfcmFuZ2VfbRgOIAEoARIcChRpbmNyZW1lbnRfdmlvbGF0aW9ucxgPIAEoDRIeChZkZW1hbmRfc3RlcF92aW9sYXRpb25zGBAgASgNEhkKEXJlc2lkdWFsX3Jtc190cnVlGBEgASgBEhYKDm1pc3NpbmdfY3ljbGVzGBIgASgNEhQKDHNvbHZlZF9yYXRpbxgTIAEoARIiCgdvdXRjb21lGBQgASgLMhEuYnVtcGxlc3MuT3V0Y29tZRIXCg9kX3VfZnJfc2V0dGxpbmcYFSABKAESFwoPZF91X3JoX3NldHRsaW5nGBYgASgBEhYKDnNoYWZ0X2VuZXJneV9qGBcgASgBEhYKDmZpbl90cmF2ZWxfZGVnGBggASgBEhcKD3NjcmV3X3JldmVyc2FscxgZIAEoDSJYCg1TdHJlYW1NZXNzYWdlEg0KBXRvcGljGAEgASgJEg4KBnNjaGVtYRgCIAEoCRIPCgdwYXlsb2FkGAMgASgMEhcKD3JlY2VpdmVfdGltZV9ucxgEIAEoBCJeCgtTdHJlYW1GcmFtZRIWCg5zZXJ2ZXJfdGltZV9ucxgBIAEoBBIpCghtZXNzYWdlcxgCIAMoCzIXLmJ1bXBsZXNzLlN0cmVhbU1lc3NhZ2USDAoEcGFzdBgDIAEoCCK3AgoFQWxhcm0SCgoCaWQYASABKAkSDAoEY29kZRgCIAEoCRIkCghzZXZlcml0eRgDIAEoDjISLmJ1bXBsZXNzLlNldmVyaXR5EgwKBHRleHQYBCABKAkSEQoJcmFpc2VkX25zGAUgASgEEhMKC3JldHVybmVkX25zGAYgASgEEhcKD2Fja25vd2xlZGdlZF9ucxgHIAEoBBIXCg9hY2tub3dsZWRnZWRfYnkYCCABKAkSDQoFY291bnQYCSABKA0SGAoQc2hlbHZlZF91bnRpbF9ucxgKIAEoBBItCgdkZXRhaWxzGAsgAygLMhwuYnVtcGxlc3MuQWxhcm0uRGV0YWlsc0VudHJ5Gi4KDERldGFpbHNFbnRyeRILCgNrZXkYASABKAkSDQoFdmFsdWUYAiABKAk6AjgBIikKBkFsYXJtcxIfCgZhbGFybXMYASADKAsyDy5idW1wbGVzcy5BbGFybSLFAgoMU2VydmVyU3RhdHVzEg8KB3RpbWVfbnMYASABKAQSEgoKdmVoaWNsZV9pZBgCIAEoCRIhCgRsaW5rGAMgASgOMhMuYnVtcGxlc3MuTGlua1N0YXRlEhcKD3RlbGVtZXRyeV9hZ2VfcxgEIAEoARIRCglyZWNvcmRpbmcYBSABKAgSGAoQcmVjb3JkaW5nX3J1bl9pZBgGIAEoCRIWCg5yZWNvcmRlZF9ieXRlcxgHIAEoBBIYChByZWNvcmRlcl9kcm9wcGVkGAggASgEEhUKDW5vZGVfcmVzdGFydHMYCSABKA0SFgoOc3RyZWFtX2NsaWVudHMYCiABKA0SFgoOc2VydmVyX3ZlcnNpb24YCyABKAkSFAoMbm9kZV9tYW5hZ2VkGAwgASgIEhgKEHJlY29yZGVyX3Ryb3VibGUYDSABKAkqUAoETW9kZRIUChBNT0RFX1VOU1BFQ0lGSUVEEAASEAoMTU9ERV9GT1JXQVJEEAESEAoMTU9ERV9SRVZFUlNFEAISDgoKTU9ERV9IT1ZFUhADKrIBCgxNaXNzaW9uUGhhc2USHQoZTUlTU0lPTl9QSEFTRV9VTlNQRUNJRklFRBAAEhYKEk1JU1NJT05fUEhBU0VfSURMRRABEhkKFU1JU1NJT05fUEhBU0VfUlVOTklORxACEhgKFE1JU1NJT05fUEhBU0VfUEFVU0VEEAMSGwoXTUlTU0lPTl9QSEFTRV9DT01QTEVURUQQBBIZChVNSVNTSU9OX1BIQVNFX0FCT1JURUQQBSq1AQoLU29sdmVTdGF0dXMSHAoYU09MVkVfU1RBVFVTX1VOU1BFQ0lGSUVEEAASFwoTU09MVkVfU1RBVFVTX1NPTFZFRBABEh0KGVNPTFZFX1NUQVRVU19CVURHRVRfU1BFTlQQAhIbChdTT0xWRV9TVEFUVVNfSU5GRUFTSUJMRRADEhkKFVNPTFZFX1NUQVRVU19GQUxMQkFDSxAEEhgKFFNPTFZFX1NUQVRVU19SRUZVU0VEEAUqYQoIU2V2ZXJpdHkSGAoUU0VWRVJJVFlfVU5TUEVDSUZJRUQQABIRCg1TRVZFUklUWV9JTkZPEAESFAoQU0VWRVJJVFlfV0FSTklORxACEhIKDlNFVkVSSVRZX0FMQVJNEAMqrQEKDERvY2tpbmdTdGFnZRIdChlET0NLSU5HX1NUQUdFX1VOU1BFQ0lGSUVEEAASGQoVRE9DS0lOR19TVEFHRV9UUkFOU0lUEAESFwoTRE9DS0lOR19TVEFHRV9FTlRSWRACEhoKFkRPQ0tJTkdfU1RBR0VfQVBQUk9BQ0gQAxIWChJET0NLSU5HX1NUQUdFX0JBQ0sQBBIWChJET0NLSU5HX1NUQUdFX0hPTEQQBSroAgoNV2F2ZU9mZlJlYXNvbhIfChtXQVZFX09GRl9SRUFTT05fVU5TUEVDSUZJRUQQABIfChtXQVZFX09GRl9SRUFTT05fVEFSR0VUX0xPU1QQARIcChhXQVZFX09GRl9SRUFTT05fT0ZGX0xJTkUQAhIfChtXQVZFX09GRl9SRUFTT05fT0ZGX0hFQURJTkcQAxIdChlXQVZFX09GRl9SRUFTT05fT0ZGX0RFUFRIEAQSHAoYV0FWRV9PRkZfUkVBU09OX09WRVJTSE9UEAUSIQodV0FWRV9PRkZfUkVBU09OX1NUVUNLX0FUX0dBVEUQBhIcChhXQVZFX09GRl9SRUFTT05fTk9UX1NFRU4QBxIcChhXQVZFX09GRl9SRUFTT05fVE9PX1NMT1cQCBIbChdXQVZFX09GRl9SRUFTT05fQ1VSUkVOVBAJEh0KGVdBVkVfT0ZGX1JFQVNPTl9USU1FX09WRVIQCiqxAQoGRW5kaW5nEhYKEkVORElOR19VTlNQRUNJRklFRBAAEhEKDUVORElOR19ET0NLRUQQARIPCgtFTkRJTkdfSEVMRBACEhQKEEVORElOR19XQVZFRF9PRkYQAxIUChBFTkRJTkdfVElNRV9PVkVSEAQSEgoORU5ESU5HX0FCT1JURUQQBRITCg9FTkRJTkdfQ09MTElERUQQBhIWChJFTkRJTkdfSU5URVJSVVBURUQQByp/CglMaW5rU3RhdGUSGgoWTElOS19TVEFURV9VTlNQRUNJRklFRBAAEhYKEkxJTktfU1RBVEVfV0FJVElORxABEhMKD0xJTktfU1RBVEVfTElWRRACEhQKEExJTktfU1RBVEVfU1RBTEUQAxITCg9MSU5LX1NUQVRFX0xPU1QQBGIGcHJvdG8z");
+  fileDesc("Cg5idW1wbGVzcy5wcm90bxIIYnVtcGxlc3MiKgoHVmVjdG9yMxIJCgF4GAEgASgBEgkKAXkYAiABKAESCQoBehgDIAEoASJACghBdHRpdHVkZRIQCghyb2xsX2RlZxgBIAEoARIRCglwaXRjaF9kZWcYAiABKAESDwoHeWF3X2RlZxgDIAEoASJZCgZXcmVuY2gSCwoDeF9uGAEgASgBEgsKA3lfbhgCIAEoARILCgN6X24YAyABKAESDAoEa19ubRgEIAEoARIMCgRtX25tGAUgASgBEgwKBG5fbm0YBiABKAEiPwoFU3RhbXASDwoHdGltZV9ucxgBIAEoBBIWCg5taXNzaW9uX3RpbWVfcxgCIAEoARINCgVjeWNsZRgDIAEoBCKAAwoKTmF2aWdhdGlvbhIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEikKDnBvc2l0aW9uX25lZF9tGAIgASgLMhEuYnVtcGxlc3MuVmVjdG9yMxIkCghhdHRpdHVkZRgDIAEoCzISLmJ1bXBsZXNzLkF0dGl0dWRlEiwKEXZlbG9jaXR5X2JvZHlfbXBzGAQgASgLMhEuYnVtcGxlc3MuVmVjdG9yMxI6Ch92ZWxvY2l0eV90aHJvdWdoX3dhdGVyX2JvZHlfbXBzGAUgASgLMhEuYnVtcGxlc3MuVmVjdG9yMxIyChdhbmd1bGFyX3JhdGVfYm9keV9kZWdwcxgGIAEoCzIRLmJ1bXBsZXNzLlZlY3RvcjMSDwoHZGVwdGhfbRgHIAEoARIdChVzcGVlZF9vdmVyX2dyb3VuZF9tcHMYCCABKAESMwoYY3VycmVudF9lc3RpbWF0ZV9uZWRfbXBzGAkgASgLMhEuYnVtcGxlc3MuVmVjdG9yMyKUAgoIR3VpZGFuY2USHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIhChlzdXJnZV9zcGVlZF9yZWZlcmVuY2VfbXBzGAIgASgBEhkKEWRlcHRoX3JlZmVyZW5jZV9tGAMgASgBEi4KEmF0dGl0dWRlX3JlZmVyZW5jZRgEIAEoCzISLmJ1bXBsZXNzLkF0dGl0dWRlEhsKE2Nyb3NzX3RyYWNrX2Vycm9yX20YBSABKAESGwoTYWxvbmdfdHJhY2tfZXJyb3JfbRgGIAEoARILCgNsZWcYByABKA0SEQoJbGVnX2NvdW50GAggASgNEiAKGHN3YXlfc3BlZWRfcmVmZXJlbmNlX21wcxgJIAEoASKNBQoKU3VwZXJ2aXNvchIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEhwKBG1vZGUYAiABKA4yDi5idW1wbGVzcy5Nb2RlEiUKDXByZXZpb3VzX21vZGUYAyABKA4yDi5idW1wbGVzcy5Nb2RlEg8KB3JhbmdlX20YBCABKAESFQoNZGV0ZWN0aW9uX3JhdxgFIAEoCBIRCglkZXRlY3Rpb24YBiABKAgSDQoFa2FwcGEYByABKAESFgoOdGltZV9pbl9tb2RlX3MYCCABKAESGQoRZHdlbGxfcmVtYWluaW5nX3MYCSABKAESGAoQcmFuZ2VfcmhfbG93ZXJfbRgKIAEoARIYChByYW5nZV9yaF91cHBlcl9tGAsgASgBEhgKEHJhbmdlX2ZyX2xvd2VyX20YDCABKAESGAoQcmFuZ2VfZnJfdXBwZXJfbRgNIAEoARIYChByYW5nZV9oZl91cHBlcl9tGA4gASgBEiUKBXBoYXNlGA8gASgOMhYuYnVtcGxlc3MuTWlzc2lvblBoYXNlEi0KDWRvY2tpbmdfc3RhZ2UYECABKA4yFi5idW1wbGVzcy5Eb2NraW5nU3RhZ2USFQoNZG9ja2luZ190cmllcxgRIAEoDRIaChJkb2NraW5nX3RyaWVzX21vc3QYEiABKA0SMAoPd2F2ZV9vZmZfcmVhc29uGBMgASgOMhcuYnVtcGxlc3MuV2F2ZU9mZlJlYXNvbhIcChRhcHByb2FjaF9oZWFkaW5nX2RlZxgUIAEoARIRCglmaXhfYWdlX3MYFSABKAESEAoIY2FwdHVyZWQYFiABKAgSHQoFZmxvd24YFyABKA4yDi5idW1wbGVzcy5Nb2RlImAKBUd1YXJkEgwKBG5hbWUYASABKAkSDQoFdmFsdWUYAiABKAESDQoFbGltaXQYAyABKAESEAoIYXRfbGVhc3QYBCABKAgSCwoDbWV0GAUgASgIEgwKBHVuaXQYBiABKAkiaQoITW9kZUV4aXQSGgoCdG8YASABKA4yDi5idW1wbGVzcy5Nb2RlEgwKBG5hbWUYAiABKAkSHwoGZ3VhcmRzGAMgAygLMg8uYnVtcGxlc3MuR3VhcmQSEgoKZXhwZWN0ZWRfcxgEIAEoASJoCgVFeGl0cxIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEhwKBG1vZGUYAiABKA4yDi5idW1wbGVzcy5Nb2RlEiEKBWV4aXRzGAMgAygLMhIuYnVtcGxlc3MuTW9kZUV4aXQi3wEKB0NvbnRyb2wSHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIiCghkZW1hbmRlZBgCIAEoCzIQLmJ1bXBsZXNzLldyZW5jaBImCgxkZW1hbmRlZF9yYXcYAyABKAsyEC5idW1wbGVzcy5XcmVuY2gSIgoIYWNoaWV2ZWQYBCABKAsyEC5idW1wbGVzcy5XcmVuY2gSIgoIcmVzaWR1YWwYBSABKAsyEC5idW1wbGVzcy5XcmVuY2gSIAoGZnJvemVuGAYgASgLMhAuYnVtcGxlc3MuV3JlbmNoIvoBCgpBbGxvY2F0aW9uEh4KBXN0YW1wGAEgASgLMg8uYnVtcGxlc3MuU3RhbXASJQoGc3RhdHVzGAIgASgOMhUuYnVtcGxlc3MuU29sdmVTdGF0dXMSFgoOc3FwX2l0ZXJhdGlvbnMYAyABKA0SFAoMa2t0X3Jlc2lkdWFsGAQgASgBEhUKDXJlc2lkdWFsX25vcm0YBSABKAESDAoEY29zdBgGIAEoARIVCg1zb2x2ZV90aW1lX3VzGAcgASgBEhcKD3NhdHVyYXRlZF9jb3VudBgIIAEoDRIOCgZzb2x2ZXIYCSABKAkSEgoKc2xhY2tfbm9ybRgKIAEoASKxAgoIQWN0dWF0b3ISDAoEbmFtZRgBIAEoCRIMCgR1bml0GAIgASgJEg8KB2NvbW1hbmQYAyABKAESEAoIZmVlZGJhY2sYBCABKAESDQoFbG93ZXIYBSABKAESDQoFdXBwZXIYBiABKAESFwoPYW1wbGl0dWRlX2xvd2VyGAcgASgBEhcKD2FtcGxpdHVkZV91cHBlchgIIAEoARIRCglzYXR1cmF0ZWQYCSABKAgSFAoMcmF0ZV9saW1pdGVkGAogASgIEhcKD2luY3JlbWVudF9ib3VuZBgLIAEoARIaCg1lZmZlY3RpdmVuZXNzGAwgASgBSACIAQESFgoOZmF1bHRfZXZpZGVuY2UYDSABKAESDgoGZmF1bHR5GA4gASgIQhAKDl9lZmZlY3RpdmVuZXNzIlIKCUFjdHVhdG9ycxIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEiUKCWFjdHVhdG9ycxgCIAMoCzISLmJ1bXBsZXNzLkFjdHVhdG9yIvQBCgZUYXJnZXQSHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIQCghkZXRlY3RlZBgCIAEoCBIYChBtZWFzdXJlZF9yYW5nZV9tGAMgASgBEhMKC2JlYXJpbmdfZGVnGAQgASgBEhUKDWVsZXZhdGlvbl9kZWcYBSABKAESKQoOcG9zaXRpb25fbmVkX20YBiABKAsyES5idW1wbGVzcy5WZWN0b3IzEhMKC2hlYWRpbmdfZGVnGAcgASgBEjIKF29ic2VydmF0aW9uX3BvaW50X25lZF9tGAggASgLMhEuYnVtcGxlc3MuVmVjdG9yMyLtAQoNTWlzc2lvblN0YXR1cxIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEiUKBXBoYXNlGAIgASgOMhYuYnVtcGxlc3MuTWlzc2lvblBoYXNlEg4KBnJ1bl9pZBgDIAEoCRIUCgxtaXNzaW9uX25hbWUYBCABKAkSFgoObWlzc2lvbl9zaGEyNTYYBSABKAkSEgoKZHVyYXRpb25fcxgGIAEoARIRCgllbGFwc2VkX3MYByABKAESDAoEc2VlZBgIIAEoDRISCgplbmRfcmVhc29uGAkgASgJEg4KBmhlbGRfcxgKIAEoASKGAQoEUGxhbhIeCgVzdGFtcBgBIAEoCzIPLmJ1bXBsZXNzLlN0YW1wEhEKCWZpbGVfbmFtZRgCIAEoCRIUCgxtaXNzaW9uX3lhbWwYAyABKAkSDgoGc2hhMjU2GAQgASgJEiUKCnBhdGhfbmVkX20YBSADKAsyES5idW1wbGVzcy5WZWN0b3IzIl0KDk1vZGVQYXJhbWV0ZXJzEhIKCnFfZGlhZ29uYWwYASADKAESEgoKcl9kaWFnb25hbBgCIAMoARIOCgZsYW1iZGEYAyABKAESEwoLcmFtcF9jeWNsZXMYBCABKA0i/wEKFFN1cGVydmlzb3JQYXJhbWV0ZXJzEhgKEHJhbmdlX3JoX2xvd2VyX20YASABKAESGAoQcmFuZ2VfcmhfdXBwZXJfbRgCIAEoARIYChByYW5nZV9mcl9sb3dlcl9tGAMgASgBEhgKEHJhbmdlX2ZyX3VwcGVyX20YBCABKAESGAoQcmFuZ2VfaGZfdXBwZXJfbRgFIAEoARIUCgxkd2VsbF9jeWNsZXMYBiABKA0SFgoOZGV0ZWN0aW9uX2hpdHMYByABKA0SGAoQZGV0ZWN0aW9uX3dpbmRvdxgIIAEoDRIdChVkZXRlY3Rpb25faG9sZF9jeWNsZXMYCSABKA0iXwoSQnVtcGxlc3NQYXJhbWV0ZXJzEgwKBHJhbXAYASABKAgSHAoUaW50ZWdyYXRvcl9hbGlnbm1lbnQYAiABKAgSHQoVd2FybV9zdGFydF9wcm9qZWN0aW9uGAMgASgIIu8BCgpQYXJhbWV0ZXJzEikKB2ZvcndhcmQYASABKAsyGC5idW1wbGVzcy5Nb2RlUGFyYW1ldGVycxIpCgdyZXZlcnNlGAIgASgLMhguYnVtcGxlc3MuTW9kZVBhcmFtZXRlcnMSJwoFaG92ZXIYAyABKAsyGC5idW1wbGVzcy5Nb2RlUGFyYW1ldGVycxIyCgpzdXBlcnZpc29yGAQgASgLMh4uYnVtcGxlc3MuU3VwZXJ2aXNvclBhcmFtZXRlcnMSLgoIYnVtcGxlc3MYBSABKAsyHC5idW1wbGVzcy5CdW1wbGVzc1BhcmFtZXRlcnMiuwEKEFBhcmFtZXRlcnNTdGF0dXMSHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIkCgZhY3RpdmUYAiABKAsyFC5idW1wbGVzcy5QYXJhbWV0ZXJzEhAKCHJldmlzaW9uGAMgASgEEg4KBnNoYTI1NhgEIAEoCRImCghkZWZhdWx0cxgFIAEoCzIULmJ1bXBsZXNzLlBhcmFtZXRlcnMSFwoPcGFyYW1ldGVyc19qc29uGAYgASgJIuQBChJWZWhpY2xlRGVzY3JpcHRpb24SHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBISCgp2ZWhpY2xlX2lkGAIgASgJEhQKDHZlaGljbGVfbmFtZRgDIAEoCRIUCgx2ZWhpY2xlX3RvbWwYBCABKAkSDgoGc2hhMjU2GAUgASgJEhgKEHNvZnR3YXJlX3ZlcnNpb24YBiABKAkSGAoQY29udHJvbF9wZXJpb2RfcxgHIAEoARIWCg5hY3R1YXRvcl9uYW1lcxgIIAMoCRISCgpzZXNzaW9uX2lkGAkgASgJIowCCgZIZWFsdGgSHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIOCgZjeWNsZXMYAiABKAQSFQoNbWlzc2VkX2N5Y2xlcxgDIAEoBBIXCg9sYXRlbmVzc19wOTlfbXMYBCABKAESFwoPbGF0ZW5lc3NfbWF4X21zGAUgASgBEhkKEWN5Y2xlX3RpbWVfcDUwX3VzGAYgASgBEhkKEWN5Y2xlX3RpbWVfcDk5X3VzGAcgASgBEhYKDnJlc2lkZW50X2J5dGVzGAggASgEEhIKCnByb2Nlc3NfaWQYCSABKA0SEQoJaG9zdF9uYW1lGAogASgJEhQKDGRyb3BwZWRfcm93cxgLIAEoBCLIAQoFRXZlbnQSHgoFc3RhbXAYASABKAsyDy5idW1wbGVzcy5TdGFtcBIkCghzZXZlcml0eRgCIAEoDjISLmJ1bXBsZXNzLlNldmVyaXR5EgwKBGNvZGUYAyABKAkSDAoEdGV4dBgEIAEoCRItCgdkZXRhaWxzGAUgAygLMhwuYnVtcGxlc3MuRXZlbnQuRGV0YWlsc0VudHJ5Gi4KDERldGFpbHNFbnRyeRILCgNrZXkYASABKAkSDQoFdmFsdWUYAiABKAk6AjgBIuMDCgpUcnV0aFN0YXRlEh4KBXN0YW1wGAEgASgLMg8uYnVtcGxlc3MuU3RhbXASKQoOcG9zaXRpb25fbmVkX20YAiABKAsyES5idW1wbGVzcy5WZWN0b3IzEiQKCGF0dGl0dWRlGAMgASgLMhIuYnVtcGxlc3MuQXR0aXR1ZGUSLAoRdmVsb2NpdHlfYm9keV9tcHMYBCABKAsyES5idW1wbGVzcy5WZWN0b3IzEjIKF2FuZ3VsYXJfcmF0ZV9ib2R5X2RlZ3BzGAUgASgLMhEuYnVtcGxlc3MuVmVjdG9yMxIpCg9hY3R1YXRvcl93cmVuY2gYBiABKAsyEC5idW1wbGVzcy5XcmVuY2gSKgoPY3VycmVudF9uZWRfbXBzGAcgASgLMhEuYnVtcGxlc3MuVmVjdG9yMxIVCg1lZmZlY3RpdmVuZXNzGAggAygBEjAKFXRhcmdldF9wb3NpdGlvbl9uZWRfbRgJIAEoCzIRLmJ1bXBsZXNzLlZlY3RvcjMSFwoPY29udGFjdF9mb3JjZV9uGAogASgBEhwKFGNvbnRhY3RfZm9yY2VfbW9zdF9uGAsgASgBEhQKDG5vc2VfZGVwdGhfbRgMIAEoARIVCg1ub3NlX29mZnNldF9tGA0gASgBImUKDFN0YXJ0TWlzc2lvbhIRCglmaWxlX25hbWUYASABKAkSFAoMbWlzc2lvbl95YW1sGAIgASgJEhEKBHNlZWQYAyABKA1IAIgBARIQCghvcGVyYXRvchgEIAEoCUIHCgVfc2VlZCJ9Cg1SZXF1ZXN0SGVhZGVyEgoKAmlkGAEgASgJEhIKCmV4cGlyZXNfbnMYAiABKAQSEgoKc2Vzc2lvbl9pZBgDIAEoCRIOCgZhdXRob3IYBCABKAkSGAoLaWZfcmV2aXNpb24YBSABKARIAIgBAUIOCgxfaWZfcmV2aXNpb24iBwoFRW1wdHkiqgEKDENvbW1hbmRSZXBseRIQCghhY2NlcHRlZBgBIAEoCBIOCgZyZWFzb24YAiABKAkSIwoIcHJvYmxlbXMYAyADKAsyES5idW1wbGVzcy5Qcm9ibGVtEg4KBnJ1bl9pZBgEIAEoCRIQCghyZXZpc2lvbhgFIAEoBBIKCgJpZBgGIAEoCRIlCgVjYXVzZRgHIAEoDjIWLmJ1bXBsZXNzLlJlZnVzYWxDYXVzZSJhCgdQcm9ibGVtEgwKBGZpbGUYASABKAkSDAoEbGluZRgCIAEoDRIOCgZjb2x1bW4YAyABKA0SDQoFZmllbGQYBCABKAkSDQoFdmFsdWUYBSABKAkSDAoEcnVsZRgGIAEoCSLgAgoNU3dpdGNoTWV0cmljcxIhCglmcm9tX21vZGUYASABKA4yDi5idW1wbGVzcy5Nb2RlEh8KB3RvX21vZGUYAiABKA4yDi5idW1wbGVzcy5Nb2RlEg4KBnRpbWVfcxgDIAEoARIfChdjb21tYW5kX3N0ZXBfbm9ybWFsaXNlZBgEIAEoARIYChBjb21tYW5kX3N0ZXBfcmF3GAUgASgBEhUKDWFjdHVhdG9yX3N0ZXAYBiADKAESEgoKc2V0dGxpbmdfcxgHIAEoARIdChVjb21tYW5kX3N0ZXBfc2V0dGxpbmcYCCABKAESFAoMZm9yY2Vfc3RlcF9uGAkgASgBEhYKDm1vbWVudF9zdGVwX25tGAogASgBEh4KFmFjY2VsZXJhdGlvbl9zdGVwX21wczIYCyABKAESKAogYW5ndWxhcl9hY2NlbGVyYXRpb25fc3RlcF9kZWdwczIYDCABKAEi/wMKC01vZGVNZXRyaWNzEhwKBG1vZGUYASABKA4yDi5idW1wbGVzcy5Nb2RlEhIKCmR1cmF0aW9uX3MYAiABKAESDwoHc2FtcGxlcxgDIAEoDRITCgtkZXB0aF9ybXNfbRgEIAEoARIcChRkZXB0aF9wZWFrX3RvX3BlYWtfbRgFIAEoARIUCgxyb2xsX3Jtc19kZWcYBiABKAESFQoNcGl0Y2hfcm1zX2RlZxgHIAEoARITCgt5YXdfcm1zX2RlZxgIIAEoARIcChRzdXJnZV9zcGVlZF9tZWFuX21wcxgJIAEoARIUCgxhY3R1YXRvcl9ybXMYCiADKAESFAoMcmVzaWR1YWxfcm1zGAsgASgBEhkKEWRlcHRoX2Vycm9yX3Jtc19tGAwgASgBEhkKEWRlcHRoX2Vycm9yX21heF9tGA0gASgBEh8KF2Nyb3NzX3RyYWNrX2Vycm9yX3Jtc19tGA4gASgBEh8KF2Nyb3NzX3RyYWNrX2Vycm9yX21heF9tGA8gASgBEh0KFWhlYWRpbmdfZXJyb3Jfcm1zX2RlZxgQIAEoARIdChVoZWFkaW5nX2Vycm9yX21heF9kZWcYESABKAESGwoTc3BlZWRfZXJyb3Jfcm1zX21wcxgSIAEoARIbChNzcGVlZF9lcnJvcl9tYXhfbXBzGBMgASgBIm4KCUVuZEVycm9ycxISCgpwb3NpdGlvbl9tGAEgASgBEhQKDGhvcml6b250YWxfbRgCIAEoARIPCgdkZXB0aF9tGAMgASgBEhMKC2hlYWRpbmdfZGVnGAQgASgBEhEKCXNwZWVkX21wcxgFIAEoASKFAgoHT3V0Y29tZRIgCgZlbmRpbmcYASABKA4yEC5idW1wbGVzcy5FbmRpbmcSDgoGcmVhc29uGAIgASgJEg0KBWJhc2lzGAMgASgJEhwKBG1vZGUYBCABKA4yDi5idW1wbGVzcy5Nb2RlEg4KBmhlbGRfcxgFIAEoARIRCgljbG9zZXN0X20YBiABKAESEQoJY2xvc2VzdF9zGAcgASgBEigKC3RydWVfZXJyb3JzGAggASgLMhMuYnVtcGxlc3MuRW5kRXJyb3JzEiwKD2JlbGlldmVkX2Vycm9ycxgJIAEoCzITLmJ1bXBsZXNzLkVuZEVycm9ycxINCgV0cmllcxgKIAEoDSKKAQoOQ2FwdHVyZU1ldHJpY3MSEAoIY2FwdHVyZWQYASABKAgSDgoGdGltZV9zGAIgASgBEhMKC3NlYXRfdGltZV9zGAMgASgBEhMKC2ZvcmNlX21heF9uGAQgASgBEhQKDGZvcmNlX21vc3RfbhgFIAEoARIWCg5lbnRyeV9vZmZzZXRfbRgGIAEoASKzBQoHTWV0cmljcxIOCgZydW5faWQYASABKAkSEgoKZHVyYXRpb25fcxgCIAEoARIOCgZjeWNsZXMYAyABKA0SFAoMcmVzaWR1YWxfcm1zGAQgASgBEhgKEHNhdHVyYXRpb25fcmF0aW8YBSABKAESDgoGZF91X2ZyGAYgASgBEg4KBmRfdV9yaBgHIAEoARIpCghzd2l0Y2hlcxgIIAMoCzIXLmJ1bXBsZXNzLlN3aXRjaE1ldHJpY3MSJAoFbW9kZXMYCSADKAsyFS5idW1wbGVzcy5Nb2RlTWV0cmljcxIaChJzb2x2ZV90aW1lX21lYW5fdXMYCiABKAESGQoRc29sdmVfdGltZV9zdGRfdXMYCyABKAESGQoRc29sdmVfdGltZV9wOTVfdXMYDCABKAESGQoRc29sdmVfdGltZV9tYXhfdXMYDSABKAESFQoNZmluYWxfcmFuZ2VfbRgOIAEoARIcChRpbmNyZW1lbnRfdmlvbGF0aW9ucxgPIAEoDRIeChZkZW1hbmRfc3RlcF92aW9sYXRpb25zGBAgASgNEhkKEXJlc2lkdWFsX3Jtc190cnVlGBEgASgBEhYKDm1pc3NpbmdfY3ljbGVzGBIgASgNEhQKDHNvbHZlZF9yYXRpbxgTIAEoARIiCgdvdXRjb21lGBQgASgLMhEuYnVtcGxlc3MuT3V0Y29tZRIXCg9kX3VfZnJfc2V0dGxpbmcYFSABKAESFwoPZF91X3JoX3NldHRsaW5nGBYgASgBEhYKDnNoYWZ0X2VuZXJneV9qGBcgASgBEhYKDmZpbl90cmF2ZWxfZGVnGBggASgBEhcKD3NjcmV3X3JldmVyc2FscxgZIAEoDRIpCgdjYXB0dXJlGBogASgLMhguYnVtcGxlc3MuQ2FwdHVyZU1ldHJpY3MiWAoNU3RyZWFtTWVzc2FnZRINCgV0b3BpYxgBIAEoCRIOCgZzY2hlbWEYAiABKAkSDwoHcGF5bG9hZBgDIAEoDBIXCg9yZWNlaXZlX3RpbWVfbnMYBCABKAQiXgoLU3RyZWFtRnJhbWUSFgoOc2VydmVyX3RpbWVfbnMYASABKAQSKQoIbWVzc2FnZXMYAiADKAsyFy5idW1wbGVzcy5TdHJlYW1NZXNzYWdlEgwKBHBhc3QYAyABKAgitwIKBUFsYXJtEgoKAmlkGAEgASgJEgwKBGNvZGUYAiABKAkSJAoIc2V2ZXJpdHkYAyABKA4yEi5idW1wbGVzcy5TZXZlcml0eRIMCgR0ZXh0GAQgASgJEhEKCXJhaXNlZF9ucxgFIAEoBBITCgtyZXR1cm5lZF9ucxgGIAEoBBIXCg9hY2tub3dsZWRnZWRfbnMYByABKAQSFwoPYWNrbm93bGVkZ2VkX2J5GAggASgJEg0KBWNvdW50GAkgASgNEhgKEHNoZWx2ZWRfdW50aWxfbnMYCiABKAQSLQoHZGV0YWlscxgLIAMoCzIcLmJ1bXBsZXNzLkFsYXJtLkRldGFpbHNFbnRyeRouCgxEZXRhaWxzRW50cnkSCwoDa2V5GAEgASgJEg0KBXZhbHVlGAIgASgJOgI4ASIpCgZBbGFybXMSHwoGYWxhcm1zGAEgAygLMg8uYnVtcGxlc3MuQWxhcm0irgMKDFNlcnZlclN0YXR1cxIPCgd0aW1lX25zGAEgASgEEhIKCnZlaGljbGVfaWQYAiABKAkSIQoEbGluaxgDIAEoDjITLmJ1bXBsZXNzLkxpbmtTdGF0ZRIXCg90ZWxlbWV0cnlfYWdlX3MYBCABKAESEQoJcmVjb3JkaW5nGAUgASgIEhgKEHJlY29yZGluZ19ydW5faWQYBiABKAkSFgoOcmVjb3JkZWRfYnl0ZXMYByABKAQSGAoQcmVjb3JkZXJfZHJvcHBlZBgIIAEoBBIVCg1ub2RlX3Jlc3RhcnRzGAkgASgNEhYKDnN0cmVhbV9jbGllbnRzGAogASgNEhYKDnNlcnZlcl92ZXJzaW9uGAsgASgJEhQKDG5vZGVfbWFuYWdlZBgMIAEoCBIYChByZWNvcmRlcl90cm91YmxlGA0gASgJEigKBnRvcGljcxgOIAMoCzIYLmJ1bXBsZXNzLlRvcGljRnJlc2huZXNzEhYKDmNsb2NrX29mZnNldF9zGA8gASgBEhIKCmJ1c19ub3RpY2UYECABKAkSEQoJc2V0X2FzaWRlGBEgASgEIlEKDlRvcGljRnJlc2huZXNzEg0KBXRvcGljGAEgASgJEg0KBWFnZV9zGAIgASgBEhMKC2ZyZXNoX2Zvcl9zGAMgASgBEgwKBGxhdGUYBCABKAgqUAoETW9kZRIUChBNT0RFX1VOU1BFQ0lGSUVEEAASEAoMTU9ERV9GT1JXQVJEEAESEAoMTU9ERV9SRVZFUlNFEAISDgoKTU9ERV9IT1ZFUhADKrIBCgxNaXNzaW9uUGhhc2USHQoZTUlTU0lPTl9QSEFTRV9VTlNQRUNJRklFRBAAEhYKEk1JU1NJT05fUEhBU0VfSURMRRABEhkKFU1JU1NJT05fUEhBU0VfUlVOTklORxACEhgKFE1JU1NJT05fUEhBU0VfUEFVU0VEEAMSGwoXTUlTU0lPTl9QSEFTRV9DT01QTEVURUQQBBIZChVNSVNTSU9OX1BIQVNFX0FCT1JURUQQBSq1AQoLU29sdmVTdGF0dXMSHAoYU09MVkVfU1RBVFVTX1VOU1BFQ0lGSUVEEAASFwoTU09MVkVfU1RBVFVTX1NPTFZFRBABEh0KGVNPTFZFX1NUQVRVU19CVURHRVRfU1BFTlQQAhIbChdTT0xWRV9TVEFUVVNfSU5GRUFTSUJMRRADEhkKFVNPTFZFX1NUQVRVU19GQUxMQkFDSxAEEhgKFFNPTFZFX1NUQVRVU19SRUZVU0VEEAUqYQoIU2V2ZXJpdHkSGAoUU0VWRVJJVFlfVU5TUEVDSUZJRUQQABIRCg1TRVZFUklUWV9JTkZPEAESFAoQU0VWRVJJVFlfV0FSTklORxACEhIKDlNFVkVSSVRZX0FMQVJNEAMq4gEKDERvY2tpbmdTdGFnZRIdChlET0NLSU5HX1NUQUdFX1VOU1BFQ0lGSUVEEAASGQoVRE9DS0lOR19TVEFHRV9UUkFOU0lUEAESFwoTRE9DS0lOR19TVEFHRV9FTlRSWRACEhoKFkRPQ0tJTkdfU1RBR0VfQVBQUk9BQ0gQAxIWChJET0NLSU5HX1NUQUdFX0JBQ0sQBBIWChJET0NLSU5HX1NUQUdFX0hPTEQQBRIXChNET0NLSU5HX1NUQUdFX0NSRUVQEAYSGgoWRE9DS0lOR19TVEFHRV9DQVBUVVJFRBAHKugCCg1XYXZlT2ZmUmVhc29uEh8KG1dBVkVfT0ZGX1JFQVNPTl9VTlNQRUNJRklFRBAAEh8KG1dBVkVfT0ZGX1JFQVNPTl9UQVJHRVRfTE9TVBABEhwKGFdBVkVfT0ZGX1JFQVNPTl9PRkZfTElORRACEh8KG1dBVkVfT0ZGX1JFQVNPTl9PRkZfSEVBRElORxADEh0KGVdBVkVfT0ZGX1JFQVNPTl9PRkZfREVQVEgQBBIcChhXQVZFX09GRl9SRUFTT05fT1ZFUlNIT1QQBRIhCh1XQVZFX09GRl9SRUFTT05fU1RVQ0tfQVRfR0FURRAGEhwKGFdBVkVfT0ZGX1JFQVNPTl9OT1RfU0VFThAHEhwKGFdBVkVfT0ZGX1JFQVNPTl9UT09fU0xPVxAIEhsKF1dBVkVfT0ZGX1JFQVNPTl9DVVJSRU5UEAkSHQoZV0FWRV9PRkZfUkVBU09OX1RJTUVfT1ZFUhAKKtoBCgxSZWZ1c2FsQ2F1c2USHQoZUkVGVVNBTF9DQVVTRV9VTlNQRUNJRklFRBAAEhYKElJFRlVTQUxfQ0FVU0VfTEFURRABEhYKElJFRlVTQUxfQ0FVU0VfQlVTWRACEhsKF1JFRlVTQUxfQ0FVU0VfT1ZFUlRBS0VOEAMSIAocUkVGVVNBTF9DQVVTRV9TVEFMRV9SRVZJU0lPThAEEhsKF1JFRlVTQUxfQ0FVU0VfTk9fSEVBREVSEAUSHwobUkVGVVNBTF9DQVVTRV9OT1RfQUREUkVTU0VEEAYqsQEKBkVuZGluZxIWChJFTkRJTkdfVU5TUEVDSUZJRUQQABIRCg1FTkRJTkdfRE9DS0VEEAESDwoLRU5ESU5HX0hFTEQQAhIUChBFTkRJTkdfV0FWRURfT0ZGEAMSFAoQRU5ESU5HX1RJTUVfT1ZFUhAEEhIKDkVORElOR19BQk9SVEVEEAUSEwoPRU5ESU5HX0NPTExJREVEEAYSFgoSRU5ESU5HX0lOVEVSUlVQVEVEEAcqfwoJTGlua1N0YXRlEhoKFkxJTktfU1RBVEVfVU5TUEVDSUZJRUQQABIWChJMSU5LX1NUQVRFX1dBSVRJTkcQARITCg9MSU5LX1NUQVRFX0xJVkUQAhIUChBMSU5LX1NUQVRFX1NUQUxFEAMSEwoPTElOS19TVEFURV9MT1NUEARiBnByb3RvMw");
 
 /**
  * @generated from message bumpless.Vector3
@@ -410,9 +410,16 @@ export type Supervisor = Message<"bumpless.Supervisor"> & {
   fixAgeS: number;
 
   /**
+   * the dock's latch has closed
+   *
+   * @generated from field: bool captured = 22;
+   */
+  captured: boolean;
+
+  /**
    * whose gains and weights count: H while holding station; unspecified at rest
    *
-   * @generated from field: bumpless.Mode flown = 22;
+   * @generated from field: bumpless.Mode flown = 23;
    */
   flown: Mode;
 };
@@ -1412,6 +1419,34 @@ export type TruthState = Message<"bumpless.TruthState"> & {
    * @generated from field: bumpless.Vector3 target_position_ned_m = 9;
    */
   targetPositionNedM?: Vector3 | undefined;
+
+  /**
+   * of a dock to enter on the hull: largest since the cycle before
+   *
+   * @generated from field: double contact_force_n = 10;
+   */
+  contactForceN: number;
+
+  /**
+   * what dock and hull bear; 0 where there is no dock to enter
+   *
+   * @generated from field: double contact_force_most_n = 11;
+   */
+  contactForceMostN: number;
+
+  /**
+   * of the nose behind the dock's entry
+   *
+   * @generated from field: double nose_depth_m = 12;
+   */
+  noseDepthM: number;
+
+  /**
+   * of the nose from the dock's axis
+   *
+   * @generated from field: double nose_offset_m = 13;
+   */
+  noseOffsetM: number;
 };
 
 /**
@@ -1460,6 +1495,56 @@ export const StartMissionSchema: GenMessage<StartMission> = /*@__PURE__*/
   messageDesc(file_bumpless, 26);
 
 /**
+ * Goes with every request, as the query's attachment. A vehicle carries out a request before it expires or not at
+ * all, and one id once: the same id again is answered as it was the first time.
+ *
+ * @generated from message bumpless.RequestHeader
+ */
+export type RequestHeader = Message<"bumpless.RequestHeader"> & {
+  /**
+   * 1 to 64 characters, new for each request
+   *
+   * @generated from field: string id = 1;
+   */
+  id: string;
+
+  /**
+   * UNIX time by the vehicle's own clock, as its stamps tell it
+   *
+   * @generated from field: uint64 expires_ns = 2;
+   */
+  expiresNs: bigint;
+
+  /**
+   * the one it is meant for, as in VehicleDescription; any when empty
+   *
+   * @generated from field: string session_id = 3;
+   */
+  sessionId: string;
+
+  /**
+   * who asks
+   *
+   * @generated from field: string author = 4;
+   */
+  author: string;
+
+  /**
+   * "set_parameters": refused unless this is what the vehicle flies with
+   *
+   * @generated from field: optional uint64 if_revision = 5;
+   */
+  ifRevision?: bigint | undefined;
+};
+
+/**
+ * Describes the message bumpless.RequestHeader.
+ * Use `create(RequestHeaderSchema)` to create a new message.
+ */
+export const RequestHeaderSchema: GenMessage<RequestHeader> = /*@__PURE__*/
+  messageDesc(file_bumpless, 27);
+
+/**
  * @generated from message bumpless.Empty
  */
 export type Empty = Message<"bumpless.Empty"> & {
@@ -1470,7 +1555,7 @@ export type Empty = Message<"bumpless.Empty"> & {
  * Use `create(EmptySchema)` to create a new message.
  */
 export const EmptySchema: GenMessage<Empty> = /*@__PURE__*/
-  messageDesc(file_bumpless, 27);
+  messageDesc(file_bumpless, 28);
 
 /**
  * @generated from message bumpless.CommandReply
@@ -1506,6 +1591,18 @@ export type CommandReply = Message<"bumpless.CommandReply"> & {
    * @generated from field: uint64 revision = 5;
    */
   revision: bigint;
+
+  /**
+   * of the request
+   *
+   * @generated from field: string id = 6;
+   */
+  id: string;
+
+  /**
+   * @generated from field: bumpless.RefusalCause cause = 7;
+   */
+  cause: RefusalCause;
 };
 
 /**
@@ -1513,7 +1610,7 @@ export type CommandReply = Message<"bumpless.CommandReply"> & {
  * Use `create(CommandReplySchema)` to create a new message.
  */
 export const CommandReplySchema: GenMessage<CommandReply> = /*@__PURE__*/
-  messageDesc(file_bumpless, 28);
+  messageDesc(file_bumpless, 29);
 
 /**
  * One fault of a file or a request.
@@ -1563,7 +1660,7 @@ export type Problem = Message<"bumpless.Problem"> & {
  * Use `create(ProblemSchema)` to create a new message.
  */
 export const ProblemSchema: GenMessage<Problem> = /*@__PURE__*/
-  messageDesc(file_bumpless, 29);
+  messageDesc(file_bumpless, 30);
 
 /**
  * ---- metrics of a run ---------------------------------------------------------------
@@ -1653,7 +1750,7 @@ export type SwitchMetrics = Message<"bumpless.SwitchMetrics"> & {
  * Use `create(SwitchMetricsSchema)` to create a new message.
  */
 export const SwitchMetricsSchema: GenMessage<SwitchMetrics> = /*@__PURE__*/
-  messageDesc(file_bumpless, 30);
+  messageDesc(file_bumpless, 31);
 
 /**
  * @generated from message bumpless.ModeMetrics
@@ -1764,7 +1861,7 @@ export type ModeMetrics = Message<"bumpless.ModeMetrics"> & {
  * Use `create(ModeMetricsSchema)` to create a new message.
  */
 export const ModeMetricsSchema: GenMessage<ModeMetrics> = /*@__PURE__*/
-  messageDesc(file_bumpless, 31);
+  messageDesc(file_bumpless, 32);
 
 /**
  * Where the vehicle was against the observation point and the approach heading.
@@ -1813,7 +1910,7 @@ export type EndErrors = Message<"bumpless.EndErrors"> & {
  * Use `create(EndErrorsSchema)` to create a new message.
  */
 export const EndErrorsSchema: GenMessage<EndErrors> = /*@__PURE__*/
-  messageDesc(file_bumpless, 32);
+  messageDesc(file_bumpless, 33);
 
 /**
  * @generated from message bumpless.Outcome
@@ -1891,7 +1988,59 @@ export type Outcome = Message<"bumpless.Outcome"> & {
  * Use `create(OutcomeSchema)` to create a new message.
  */
 export const OutcomeSchema: GenMessage<Outcome> = /*@__PURE__*/
-  messageDesc(file_bumpless, 33);
+  messageDesc(file_bumpless, 34);
+
+/**
+ * @generated from message bumpless.CaptureMetrics
+ */
+export type CaptureMetrics = Message<"bumpless.CaptureMetrics"> & {
+  /**
+   * @generated from field: bool captured = 1;
+   */
+  captured: boolean;
+
+  /**
+   * mission time of the capture; NaN when there was none
+   *
+   * @generated from field: double time_s = 2;
+   */
+  timeS: number;
+
+  /**
+   * from the nose in the entry to the capture; NaN when there was none
+   *
+   * @generated from field: double seat_time_s = 3;
+   */
+  seatTimeS: number;
+
+  /**
+   * largest sum of normal forces
+   *
+   * @generated from field: double force_max_n = 4;
+   */
+  forceMaxN: number;
+
+  /**
+   * what dock and hull bear
+   *
+   * @generated from field: double force_most_n = 5;
+   */
+  forceMostN: number;
+
+  /**
+   * of the nose from the axis when it last came in; NaN when it never did
+   *
+   * @generated from field: double entry_offset_m = 6;
+   */
+  entryOffsetM: number;
+};
+
+/**
+ * Describes the message bumpless.CaptureMetrics.
+ * Use `create(CaptureMetricsSchema)` to create a new message.
+ */
+export const CaptureMetricsSchema: GenMessage<CaptureMetrics> = /*@__PURE__*/
+  messageDesc(file_bumpless, 35);
 
 /**
  * @generated from message bumpless.Metrics
@@ -2045,6 +2194,13 @@ export type Metrics = Message<"bumpless.Metrics"> & {
    * @generated from field: uint32 screw_reversals = 25;
    */
   screwReversals: number;
+
+  /**
+   * absent where there is no dock to enter
+   *
+   * @generated from field: bumpless.CaptureMetrics capture = 26;
+   */
+  capture?: CaptureMetrics | undefined;
 };
 
 /**
@@ -2052,7 +2208,7 @@ export type Metrics = Message<"bumpless.Metrics"> & {
  * Use `create(MetricsSchema)` to create a new message.
  */
 export const MetricsSchema: GenMessage<Metrics> = /*@__PURE__*/
-  messageDesc(file_bumpless, 34);
+  messageDesc(file_bumpless, 36);
 
 /**
  * ---- server to browser --------------------------------------------------------------
@@ -2092,7 +2248,7 @@ export type StreamMessage = Message<"bumpless.StreamMessage"> & {
  * Use `create(StreamMessageSchema)` to create a new message.
  */
 export const StreamMessageSchema: GenMessage<StreamMessage> = /*@__PURE__*/
-  messageDesc(file_bumpless, 35);
+  messageDesc(file_bumpless, 37);
 
 /**
  * One binary WebSocket message: the newest of each topic since the last frame, all events.
@@ -2123,7 +2279,7 @@ export type StreamFrame = Message<"bumpless.StreamFrame"> & {
  * Use `create(StreamFrameSchema)` to create a new message.
  */
 export const StreamFrameSchema: GenMessage<StreamFrame> = /*@__PURE__*/
-  messageDesc(file_bumpless, 36);
+  messageDesc(file_bumpless, 38);
 
 /**
  * What a person must know of, from when it was raised until it has both gone and been seen.
@@ -2206,7 +2362,7 @@ export type Alarm = Message<"bumpless.Alarm"> & {
  * Use `create(AlarmSchema)` to create a new message.
  */
 export const AlarmSchema: GenMessage<Alarm> = /*@__PURE__*/
-  messageDesc(file_bumpless, 37);
+  messageDesc(file_bumpless, 39);
 
 /**
  * topic "server/alarms": every alarm that is not over, worst first; at each change.
@@ -2225,7 +2381,7 @@ export type Alarms = Message<"bumpless.Alarms"> & {
  * Use `create(AlarmsSchema)` to create a new message.
  */
 export const AlarmsSchema: GenMessage<Alarms> = /*@__PURE__*/
-  messageDesc(file_bumpless, 38);
+  messageDesc(file_bumpless, 40);
 
 /**
  * @generated from message bumpless.ServerStatus
@@ -2299,6 +2455,34 @@ export type ServerStatus = Message<"bumpless.ServerStatus"> & {
    * @generated from field: string recorder_trouble = 13;
    */
   recorderTrouble: string;
+
+  /**
+   * every topic of the contract, heard or not
+   *
+   * @generated from field: repeated bumpless.TopicFreshness topics = 14;
+   */
+  topics: TopicFreshness[];
+
+  /**
+   * vehicle's clock minus the server's; 0 while not known
+   *
+   * @generated from field: double clock_offset_s = 15;
+   */
+  clockOffsetS: number;
+
+  /**
+   * why strangers may speak on the bus; empty when they can't
+   *
+   * @generated from field: string bus_notice = 16;
+   */
+  busNotice: string;
+
+  /**
+   * messages and requests not taken as they came, see /api/diagnostics
+   *
+   * @generated from field: uint64 set_aside = 17;
+   */
+  setAside: bigint;
 };
 
 /**
@@ -2306,7 +2490,49 @@ export type ServerStatus = Message<"bumpless.ServerStatus"> & {
  * Use `create(ServerStatusSchema)` to create a new message.
  */
 export const ServerStatusSchema: GenMessage<ServerStatus> = /*@__PURE__*/
-  messageDesc(file_bumpless, 39);
+  messageDesc(file_bumpless, 41);
+
+/**
+ * How old the last message of one topic is.
+ *
+ * @generated from message bumpless.TopicFreshness
+ */
+export type TopicFreshness = Message<"bumpless.TopicFreshness"> & {
+  /**
+   * "tlm/navigation"
+   *
+   * @generated from field: string topic = 1;
+   */
+  topic: string;
+
+  /**
+   * negative when it was never heard
+   *
+   * @generated from field: double age_s = 2;
+   */
+  ageS: number;
+
+  /**
+   * by the contract's rate and the vehicle's control period
+   *
+   * @generated from field: double fresh_for_s = 3;
+   */
+  freshForS: number;
+
+  /**
+   * older than that, or never heard
+   *
+   * @generated from field: bool late = 4;
+   */
+  late: boolean;
+};
+
+/**
+ * Describes the message bumpless.TopicFreshness.
+ * Use `create(TopicFreshnessSchema)` to create a new message.
+ */
+export const TopicFreshnessSchema: GenMessage<TopicFreshness> = /*@__PURE__*/
+  messageDesc(file_bumpless, 42);
 
 /**
  * @generated from enum bumpless.Mode
@@ -2521,6 +2747,20 @@ export enum DockingStage {
    * @generated from enum value: DOCKING_STAGE_HOLD = 5;
    */
   HOLD = 5,
+
+  /**
+   * along the dock's axis into it
+   *
+   * @generated from enum value: DOCKING_STAGE_CREEP = 6;
+   */
+  CREEP = 6,
+
+  /**
+   * latched in the dock, actuators at rest
+   *
+   * @generated from enum value: DOCKING_STAGE_CAPTURED = 7;
+   */
+  CAPTURED = 7,
 }
 
 /**
@@ -2610,6 +2850,66 @@ export const WaveOffReasonSchema: GenEnum<WaveOffReason> = /*@__PURE__*/
   enumDesc(file_bumpless, 5);
 
 /**
+ * Why a request was refused, where a program acts on it.
+ *
+ * @generated from enum bumpless.RefusalCause
+ */
+export enum RefusalCause {
+  /**
+   * @generated from enum value: REFUSAL_CAUSE_UNSPECIFIED = 0;
+   */
+  UNSPECIFIED = 0,
+
+  /**
+   * it had expired when its turn came
+   *
+   * @generated from enum value: REFUSAL_CAUSE_LATE = 1;
+   */
+  LATE = 1,
+
+  /**
+   * too many requests wait
+   *
+   * @generated from enum value: REFUSAL_CAUSE_BUSY = 2;
+   */
+  BUSY = 2,
+
+  /**
+   * a pause or an abort came after it
+   *
+   * @generated from enum value: REFUSAL_CAUSE_OVERTAKEN = 3;
+   */
+  OVERTAKEN = 3,
+
+  /**
+   * the parameters have changed since
+   *
+   * @generated from enum value: REFUSAL_CAUSE_STALE_REVISION = 4;
+   */
+  STALE_REVISION = 4,
+
+  /**
+   * id or expiry is missing
+   *
+   * @generated from enum value: REFUSAL_CAUSE_NO_HEADER = 5;
+   */
+  NO_HEADER = 5,
+
+  /**
+   * meant for another session
+   *
+   * @generated from enum value: REFUSAL_CAUSE_NOT_ADDRESSED = 6;
+   */
+  NOT_ADDRESSED = 6,
+}
+
+/**
+ * Describes the enum bumpless.RefusalCause.
+ */
+export const RefusalCauseSchema: GenEnum<RefusalCause> = /*@__PURE__*/
+  enumDesc(file_bumpless, 6);
+
+/**
  * How a run ended.
  *
  * @generated from enum bumpless.Ending
@@ -2672,7 +2972,7 @@ export enum Ending {
  * Describes the enum bumpless.Ending.
  */
 export const EndingSchema: GenEnum<Ending> = /*@__PURE__*/
-  enumDesc(file_bumpless, 6);
+  enumDesc(file_bumpless, 7);
 
 /**
  * @generated from enum bumpless.LinkState
@@ -2714,5 +3014,5 @@ export enum LinkState {
  * Describes the enum bumpless.LinkState.
  */
 export const LinkStateSchema: GenEnum<LinkState> = /*@__PURE__*/
-  enumDesc(file_bumpless, 7);
+  enumDesc(file_bumpless, 8);
 

@@ -6,6 +6,11 @@ export const VIEWS = [
     "about": "What the vehicle does now: scene, mode, plots, wrench, actuators, events."
   },
   {
+    "id": "plan",
+    "name": "Plan",
+    "about": "A mission drawn and flown ahead: what will happen, with what chance, and what to mend."
+  },
+  {
     "id": "missions",
     "name": "Missions",
     "about": "Mission files: what they are for, their plan and text, upload and start."

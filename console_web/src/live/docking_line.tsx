@@ -10,6 +10,8 @@ const STAGES: Record<DockingStage, string> = {
   [DockingStage.APPROACH]: "On the approach line",
   [DockingStage.BACK]: "Backing off",
   [DockingStage.HOLD]: "Holding clear of the dock",
+  [DockingStage.CREEP]: "Creeping into the dock",
+  [DockingStage.CAPTURED]: "Latched in the dock",
 };
 const FRESH_FIX_S = 2;
 

@@ -6,7 +6,7 @@ import { missions } from "../api/resources";
 import type { MissionDetail } from "../api/types";
 import { MissionPhase } from "../gen/bumpless_pb";
 import { clock, fixed } from "../lib/format";
-import { busy, chosen, mission as shown, startChosen } from "../shell/commands";
+import { busy, choosing, chosen, seedRefused, mission as shown, startShown } from "../shell/commands";
 import { flying, link, PHASES, phase } from "../stream/link";
 import { DeleteButton } from "../ui/delete_button";
 import { PlayIcon } from "../ui/icons";
@@ -47,11 +47,7 @@ export function MissionDetails() {
     );
   return (
     <div class="column">
-      <Panel
-        title={detail.title || detail.name}
-        class="mission-about"
-        aside={<StartHere name={detail.name} valid={detail.valid !== false} />}
-      >
+      <Panel title={detail.title || detail.name} class="mission-about" aside={<StartHere detail={detail} />}>
         <div class="about">
           <div class="about-text">
             <p>{detail.summary || "No summary."}</p>
@@ -90,22 +86,26 @@ export function MissionDetails() {
   );
 }
 
-function StartHere({ name, valid }: { name: string; valid: boolean }) {
-  const alive = link.value.look === "live";
-  const ready = valid && alive && !flying.value && phase.value !== MissionPhase.UNSPECIFIED;
-  const state = flying.value ? `Vehicle is ${PHASES[phase.value].toLowerCase()}` : "";
-  const why = !valid ? "The file breaks a rule" : !alive ? "No live vehicle" : state;
+/** Why the mission in view can't start now; "" when it can. */
+function reasonAgainst(detail: MissionDetail): string {
+  if (choosing.value || detail.name !== shown.value) return "Another mission is being opened";
+  if (detail.valid === false) return "The file breaks a rule";
+  if (link.value.look !== "live") return "No live vehicle";
+  if (flying.value) return `Vehicle is ${PHASES[phase.value].toLowerCase()}`;
+  if (phase.value === MissionPhase.UNSPECIFIED) return "The vehicle has not told its state";
+  return seedRefused.value ? "The seed above is no whole number" : "";
+}
+
+function StartHere({ detail }: { detail: MissionDetail }) {
+  const why = reasonAgainst(detail);
   return (
     <>
       {why && <span class="muted">{why}</span>}
       <button
         type="button"
         class="action primary"
-        disabled={!ready || busy.value !== undefined}
-        onClick={() => {
-          chosen.value = name;
-          void startChosen();
-        }}
+        disabled={why !== "" || busy.value !== undefined}
+        onClick={() => void (choosing.peek() || startShown(detail))}
       >
         <PlayIcon /> Start this mission
       </button>

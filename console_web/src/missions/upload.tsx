@@ -4,7 +4,7 @@ import { useRef } from "preact/hooks";
 import { ask } from "../api/client";
 import type { Refusal } from "../api/http";
 import { missions } from "../api/resources";
-import { chosen } from "../shell/commands";
+import { choosing, chosen } from "../shell/commands";
 import { CheckIcon, UploadIcon } from "../ui/icons";
 import { ProblemTable, RefusalNotice } from "../ui/refusal";
 import "./upload.css";
@@ -21,11 +21,16 @@ const last = signal<Upload | undefined>(undefined);
 
 async function send(name: string, file: Blob, replace: boolean): Promise<void> {
   const query = replace ? { name, replace } : { name };
-  const answer = await ask("post", "/api/missions", { query, body: file });
-  last.value = answer.ok ? { name, file } : { name, file, refusal: answer };
-  if (!answer.ok) return;
-  await missions.refresh();
-  chosen.value = answer.value.name;
+  choosing.value = true;
+  try {
+    const answer = await ask("post", "/api/missions", { query, body: file });
+    last.value = answer.ok ? { name, file } : { name, file, refusal: answer };
+    if (!answer.ok) return;
+    await missions.refresh();
+    chosen.value = answer.value.name;
+  } finally {
+    choosing.value = false;
+  }
 }
 
 async function take(file: File | undefined): Promise<void> {

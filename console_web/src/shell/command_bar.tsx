@@ -13,8 +13,11 @@ import { PauseIcon, PlayIcon, StopIcon } from "../ui/icons";
 import { useKeptFocus } from "../ui/keep_focus";
 import { ProblemTable, RefusalNotice } from "../ui/refusal";
 import "./command_bar.css";
-import { busy, chosen, command, mission, notice, seed, startChosen } from "./commands";
+import { busy, choosing, chosen, command, mission, notice, seed, seedRefused, startChosen } from "./commands";
+import { view } from "./views";
 
+/** The view with a start of its own, by what it shows: a second one beside it would fly something else. */
+const STARTS_ITSELF = "plan";
 const PHASE_LOOKS: Partial<Record<MissionPhase, string>> = {
   [MissionPhase.RUNNING]: "running",
   [MissionPhase.PAUSED]: "paused",
@@ -36,7 +39,7 @@ export function CommandBar() {
       <section class="commandbar" aria-label="Mission control" ref={bar}>
         <Progress />
         <span class="grow" />
-        {!flying.value && <Chooser disabled={!ready} />}
+        {!flying.value && view.value !== STARTS_ITSELF && <Chooser disabled={!ready} />}
         {flying.value && (
           <button
             type="button"
@@ -182,7 +185,6 @@ function Elapsed({ elapsedS, durationS, heldS }: { elapsedS: number; durationS: 
 
 function Chooser({ disabled }: { disabled: boolean }) {
   const list = missions.value ?? [];
-  const badSeed = seed.value.trim() !== "" && !/^\d{1,9}$/.test(seed.value.trim());
   return (
     <form
       class="chooser"
@@ -210,7 +212,7 @@ function Chooser({ disabled }: { disabled: boolean }) {
         <input
           inputMode="numeric"
           placeholder="auto"
-          aria-invalid={badSeed}
+          aria-invalid={seedRefused.value}
           title="Seed of the simulated sensors and sea; empty: the mission's own"
           value={seed.value}
           onInput={(event) => {
@@ -218,7 +220,11 @@ function Chooser({ disabled }: { disabled: boolean }) {
           }}
         />
       </label>
-      <button type="submit" class="action primary" disabled={disabled || !mission.value || badSeed}>
+      <button
+        type="submit"
+        class="action primary"
+        disabled={disabled || choosing.value || !mission.value || seedRefused.value}
+      >
         <PlayIcon /> {busy.value === "start" ? "Starting" : "Start"}
       </button>
     </form>

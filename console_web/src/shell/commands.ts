@@ -17,10 +17,17 @@ export const busy = signal<Verb | undefined>(undefined);
 export const notice = signal<Notice | undefined>(undefined);
 /** The operator's choice, "" before there is one. */
 export const chosen = signal("");
-/** Name of the mission that is shown and that Start would fly. */
-export const mission = computed(() => chosen.value || missions.value?.[0]?.name || "");
+/** A choice on its way: a file is being stored. Until its answer nothing may start, least of all what was shown before. */
+export const choosing = signal(false);
+/** Name of the mission that is shown and that Start would fly: the choice while it exists. */
+export const mission = computed(() => {
+  const list = missions.value;
+  if (!list) return chosen.value;
+  return list.some(({ name }) => name === chosen.value) ? chosen.value : (list[0]?.name ?? "");
+});
 /** As typed. */
 export const seed = signal("");
+export const seedRefused = computed(() => seed.value.trim() !== "" && !/^\d{1,9}$/.test(seed.value.trim()));
 
 const TITLES: Record<Verb, string> = {
   start: "Start refused.",
@@ -29,19 +36,32 @@ const TITLES: Record<Verb, string> = {
   abort: "Abort refused.",
 };
 
-async function told(verb: Verb, asked: Promise<Answer<CommandReply>>): Promise<void> {
+/** Whether it was accepted; a refusal becomes the notice. */
+async function told(verb: Verb, asked: Promise<Answer<CommandReply>>): Promise<boolean> {
   busy.value = verb;
   const answer = await asked;
   busy.value = undefined;
   notice.value = answer.ok ? undefined : { title: TITLES[verb], refusal: answer };
+  return answer.ok;
 }
 
-export function command(verb: Exclude<Verb, "start">): Promise<void> {
+export function command(verb: Exclude<Verb, "start">): Promise<boolean> {
   return told(verb, ask("post", "/api/mission/{verb}", { path: { verb }, body: {} }));
 }
 
-export function startChosen(): Promise<void> {
+/** Fly the mission that is shown: by its hash, so that no other text under the same name can start. */
+export function startShown(shown: { name: string; sha256?: string }, seedGiven?: number): Promise<boolean> {
   const typed = seed.peek().trim();
-  const body = { name: mission.peek(), ...(typed === "" ? {} : { seed: Number(typed) }) };
+  const fixed = seedGiven ?? (typed === "" ? undefined : Number(typed));
+  const body = {
+    name: shown.name,
+    ...(shown.sha256 ? { sha256: shown.sha256 } : {}),
+    ...(fixed === undefined ? {} : { seed: fixed }),
+  };
   return told("start", ask("post", "/api/mission/start", { body }));
+}
+
+export async function startChosen(): Promise<void> {
+  const name = mission.peek();
+  await startShown(missions.peek()?.find((entry) => entry.name === name) ?? { name });
 }

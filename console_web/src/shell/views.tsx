@@ -13,6 +13,7 @@ type View = ComponentType<{ hidden: boolean }>;
 
 const LOADERS: Record<ViewId, () => Promise<View>> = {
   live: async () => (await import("../live/live_view")).LiveView,
+  plan: async () => (await import("../planner/planner_view")).PlannerView,
   missions: async () => (await import("../missions/missions_view")).MissionsView,
   weights: async () => (await import("../weights/weights_view")).WeightsView,
   runs: async () => (await import("../runs/runs_view")).RunsView,

@@ -18,7 +18,10 @@ function status(q: number, ramp: number, revision: bigint): ParametersStatus {
 
 const accepted = (revision: number): Answer<CommandReply> => ({
   ok: true,
-  value: { accepted: true, reason: "", problems: [], run_id: "", revision },
+  value: {
+    ...{ accepted: true, reason: "", problems: [], run_id: "", revision },
+    ...{ id: "", cause: "REFUSAL_CAUSE_UNSPECIFIED" },
+  },
 });
 
 describe("the draft", () => {

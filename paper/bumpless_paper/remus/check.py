@@ -9,18 +9,18 @@ Source: Prestero 2001, chapter 4 and its tables.
 """
 
 import json
-from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
 from bumpless.config.vehicle import Vehicle, load_vehicle
-from bumpless.config.vehicle.parts import Fin
+from bumpless.config.vehicle.parts import Fin, MyringHull
 from bumpless.contract.units import WRENCH
 from bumpless.physics.hydrodynamics.coefficients import Coefficients, hull_coefficients
 from bumpless.physics.hydrodynamics.drag import fin_cross_flow_drag
+from bumpless.physics.hydrodynamics.published import bilinear, fin_lift, flow_force
 from bumpless_paper.remus.notes import Reason, reason_of
 
 PUBLISHED = Path(__file__).with_name("published.json")
@@ -84,7 +84,7 @@ def _row(vehicle: Vehicle, name: str, ours: float, theirs: float) -> Row:
 
 def thesis_coefficient(vehicle: Vehicle, name: str) -> float:
     """A coefficient by its name: row, then what it multiplies: X_udot, Y_vv (v|v|), M_uw (u w), Y_uudr."""
-    coefficients = hull_coefficients(vehicle)
+    coefficients = hull_coefficients(by_form(vehicle))
     fins = [a for a in vehicle.actuators if isinstance(a, Fin)]
     rho = vehicle.environment.water_density_kgpm3
     row, term = WRENCH.index(name[0]), name[2:]
@@ -92,45 +92,24 @@ def thesis_coefficient(vehicle: Vehicle, name: str) -> float:
         return -coefficients.M_A[row, RATES.index(term[0])]
     if term.startswith("uud"):  # rudder: horizontal plane; stern plane: vertical plane, down for nose down
         side = 1 if term == "uudr" else -1
-        return side * float(_fin_lift(fins, rho)[row, 1 if side > 0 else 2])
+        return side * float(fin_lift(fins, rho)[row, 1 if side > 0 else 2])
     a, b = (RATES.index(rate) for rate in term)
     if a == b and not (row == 0 and a > 0):
         drag = coefficients.D_quadratic + fin_cross_flow_drag(fins, rho)
         return -drag[row, a]
-    return _bilinear(lambda nu: _bilinear_force(coefficients, fins, rho, nu)[row], a, b)
+    return bilinear(lambda nu: _bilinear_force(coefficients, fins, rho, nu)[row], a, b)
 
 
 def _bilinear_force(c: Coefficients, fins: list[Fin], rho: float, nu: Array) -> Array:
     """-C_A(nu) nu, body lift and fin lift without deflection, in forward flow: all terms nu_a nu_b."""
-    u, v, w, _, q, r = nu
-    a, b = np.split(c.M_A @ nu, 2)
-    coriolis = np.concatenate([np.cross(nu[3:], a), np.cross(nu[:3], a) + np.cross(nu[3:], b)])
-    lift = -u * (c.D_lift @ nu)
-    # a fin at x meets the angles (v + x r)/u and (w - x q)/u
-    per_angle = _fin_lift(fins, rho)
-    x = fins[0].x_m
-    fin = -u * (per_angle[:, 1] * (v + x * r) + per_angle[:, 2] * (w - x * q))
-    return -coriolis + lift + fin
+    return flow_force(c.M_A, fins, rho, nu) - nu[0] * (c.D_lift @ nu)
 
 
-def _fin_lift(fins: list[Fin], rho: float) -> Array:
-    """(6, 6), columns 1 and 2: wrench of all fins per rad and u^2, turned to lift towards +y and +z."""
-    lift = np.zeros((6, 6))
-    for fin in fins:
-        e = np.array(fin.direction)
-        slope = 0.5 * rho * fin.planform_area_m2 * fin.lift_slope_per_rad
-        for axis in (1, 2):
-            force = slope * e[axis] * e
-            lift[:, axis] += np.concatenate([force, np.cross(fin.position_m, force)])
-    return lift
-
-
-def _bilinear(force: Callable[[Array], float], a: int, b: int) -> float:
-    """Coefficient of nu_a nu_b in a quadratic function; of nu_a^2 when a = b."""
-    unit = np.eye(6)
-    if a == b:
-        return float(force(unit[a]))
-    return float(force(unit[a] + unit[b]) - force(unit[a]) - force(unit[b]))
+def by_form(vehicle: Vehicle) -> Vehicle:
+    """The vehicle with what strip theory makes of its form, not with coefficients that its file states."""
+    if not isinstance(vehicle.hull, MyringHull) or vehicle.hull.coefficients is None:
+        return vehicle
+    return replace(vehicle, hull=replace(vehicle.hull, coefficients=None))
 
 
 def table() -> str:

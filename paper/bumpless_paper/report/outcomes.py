@@ -1,34 +1,20 @@
 """The table that leads the page: what is wanted of a docking vehicle, and what was measured.
 
-The endings come from a campaign's result where one is given, else from the part `honest`: its S4, on drawn
-plants. Steps and true wrench come from `honest`. A row without a measurement says so; it is never left out.
+Endings, steps and responses come from the part `outcome`, the true wrench from `honest`, whose mission it was
+measured on before. A row without a measurement says so; it is never left out.
 """
 
 from collections.abc import Mapping
 from dataclasses import dataclass
 from html import escape
-from typing import Any, Self
+from typing import Any
 
+from bumpless.campaign.summary import share_of
 from bumpless_paper.report.ticks import number, share
-from bumpless_paper.study.interval import share_interval
 
 UNMEASURED = "not measured in this page"
-
-
-@dataclass(frozen=True)
-class Flights:
-    """How many flights ended in each way: all that this table takes of a campaign."""
-
-    of: str  # what flew, for people
-    flights: int
-    endings: Mapping[str, int]  # word of `bumpless.Ending` -> count
-
-    @classmethod
-    def of_part(cls, honest: Mapping[str, Any], row: str = "S4") -> Self:
-        """From the numbers of the part `honest`."""
-        shares, plants = honest["rows"][row], honest["plants"]
-        counts = {word: round(shares[word] * plants) for word in ("docked", "collided")}
-        return cls(f"{row} on {plants} drawn plants", plants, counts)
+HEAD = ("figure", "before", "target", "measured", "95 % interval", "flown")
+Numbers = Mapping[str, Any]
 
 
 @dataclass(frozen=True)
@@ -42,63 +28,158 @@ class Row:
     interval: str = ""  # 95 %
     of: str = ""
 
+    @property
+    def cells(self) -> tuple[str, ...]:
+        """In the order of `HEAD`."""
+        return (self.figure, self.before, self.target, self.measured, self.interval, self.of)
 
-def rows_of(parts: Mapping[str, Any], campaign: Flights | None = None) -> list[Row]:
+
+def rows_of(parts: Mapping[str, Any]) -> list[Row]:
     """The table from the parts at hand, as in reproduce.json."""
+    outcome = parts["outcome"]["numbers"] if "outcome" in parts else None
     honest = parts["honest"]["numbers"] if "honest" in parts else None
-    flights = campaign or (Flights.of_part(honest) if honest else None)
-    gentle = {} if honest is None else honest["rows"]["S4"]
-    plants = "" if honest is None else f"S4 on {honest['plants']} drawn plants"
+    groups = outcome["groups"] if outcome else None
+    said = outcome["responses"] if outcome else None
     return [
-        _counted("hull through the dock's plane", "> 50 %", "0 of 1,000", flights, "collided"),
-        _counted("docked", "5 %", "≥ 95 % where station can be held", flights, "docked"),
-        _steps("F→R", "0.074 (median)", gentle.get("gentle_FR"), honest, plants),
-        _steps("R→H", "0.116 (median)", gentle.get("gentle_RH"), honest, plants),
-        _true_wrench(honest, plants),
+        _collided(groups),
+        _ended("docked, approach into the current", "5 %", "≥ 95 %", groups, "into", ("docked",)),
+        _ended("docked in still water", "10 of 20", "≥ 95 %", groups, "still", ("docked",)),
+        _ended(
+            "docked or waved off with its reason, fixed heading",
+            "never waved off",
+            "all",
+            groups,
+            "fixed",
+            ("docked", "waved_off"),
+        ),
+        _stay(said),
+        _wander(said),
+        _step("depth 0.5 m step in F", "49 s, 40 %", "< 15 s, < 5 %", said, "depth_step"),
+        _step("heading 20° step in F", "54 s, 34 %", "< 15 s, < 10 %", said, "heading_step"),
+        _depth_r(groups),
+        _dip(said),
+        _gentle("F→R", "0.074 (median)", groups, "step_fr"),
+        _gentle("R→H", "0.116 (median)", groups, "step_rh"),
+        _true_wrench(honest),
+        _loads(said),
     ]
 
 
 def outcomes_html(rows: list[Row]) -> str:
     """The table as HTML."""
-    head = ("figure", "before", "target", "measured", "95 % interval", "flown")
     cells = "".join(
-        "<tr>"
-        + f"<th>{escape(row.figure)}</th>"
-        + "".join(f"<td>{escape(text)}</td>" for text in (row.before, row.target, row.measured))
-        + f"<td>{escape(row.interval)}</td><td>{escape(row.of)}</td></tr>"
+        f"<tr><th>{escape(row.figure)}</th>"
+        + "".join(f"<td>{escape(text)}</td>" for text in row.cells[1:])
+        + "</tr>"
         for row in rows
     )
-    titles = "".join(f"<th>{escape(title)}</th>" for title in head)
+    titles = "".join(f"<th>{escape(title)}</th>" for title in HEAD)
     return f'<h2>Does it dock?</h2><div class="wide"><table><tr>{titles}</tr>{cells}</table></div>'
 
 
-def _counted(figure: str, before: str, target: str, flights: Flights | None, ending: str) -> Row:
-    if flights is None or ending not in flights.endings:
+def _collided(groups: Numbers | None) -> Row:
+    figure, before, target = "hull in the dock, uncommanded", "> 50 %", "0 of 1,000"
+    if groups is None:
         return Row(figure, before, target)
-    count = flights.endings[ending]
+    count = sum(group["endings"].get("collided", 0) for group in groups.values())
+    flights = sum(group["flights"] for group in groups.values())
+    of = "all drawn flights, with faults, target lost or never seen"
+    return Row(figure, before, target, f"{count} of {flights:,}", _interval(count, flights), of)
+
+
+def _ended(
+    figure: str, before: str, target: str, groups: Numbers | None, name: str, words: tuple[str, ...]
+) -> Row:
+    if groups is None:
+        return Row(figure, before, target)
+    group = groups[name]
+    count = sum(group["endings"].get(word, 0) for word in words)
+    measured = f"{count} of {group['flights']}"
+    if len(words) > 1:
+        each = (f"{group['endings'].get(word, 0)} {word.replace('_', ' ')}" for word in words)
+        measured += f" ({', '.join(each)})"
+    return Row(figure, before, target, measured, _interval(count, group["flights"]), group["about"])
+
+
+def _stay(said: Numbers | None) -> Row:
+    figure, before, target = "hover held for 10 min where it docked", "lost", "all"
+    if said is None:
+        return Row(figure, before, target)
+    held, docked = said["stay"]["held"], said["stay"]["docked"]
+    of = "gusts of 1 to 6 mm/s on 0 to 0.15 m/s"
+    return Row(figure, before, target, f"{held} of {docked}", _interval(held, docked), of)
+
+
+def _wander(said: Numbers | None) -> Row:
+    figure, before, target = "heading wander in such a hover, RMS", "lost", "< 1°"
+    if said is None:
+        return Row(figure, before, target)
+    q = said["stay"]["wander_deg"]
+    return Row(figure, before, target, _spread(q, "°"), "", "flights that were held")
+
+
+def _step(figure: str, before: str, target: str, said: Numbers | None, name: str) -> Row:
+    if said is None:
+        return Row(figure, before, target)
+    settled, over = said[name]["settled_s"], said[name]["overshoot"]
+    measured = f"{number(settled['median'], 2)} s, {share(over['median'], 1)}; "
+    measured += f"worst {number(settled['worst'], 3)} s, {share(over['worst'], 1)}"
+    return Row(figure, before, target, measured, "", f"{said[name]['plants']} drawn plants, still water")
+
+
+def _depth_r(groups: Numbers | None) -> Row:
+    figure, before, target = "depth about its reference in R, RMS", "0.17 m", "< 0.03 m"
+    if groups is None:
+        return Row(figure, before, target)
     return Row(
-        figure, before, target, f"{count} of {flights.flights}", _interval(count, flights.flights), flights.of
+        figure, before, target, _spread(groups["into"]["depth_r_m"], " m"), "", "as the vehicle believed"
     )
 
 
-def _steps(switch: str, before: str, held: float | None, honest: Any, of: str) -> Row:
+def _dip(said: Numbers | None) -> Row:
+    figure, before, target = "loss of speed at the start", "0.07 m/s", "< 0.02 m/s"
+    if said is None:
+        return Row(figure, before, target)
+    return Row(
+        figure, before, target, _spread(said["start_dip_mps"], " m/s"), "", "drawn plants, still water"
+    )
+
+
+def _gentle(switch: str, before: str, groups: Numbers | None, name: str) -> Row:
     figure = f"largest step {switch}, to the ramp's end + 15 s"
     target = "≤ 0.05 on 90 %"
-    if held is None:
+    if groups is None:
         return Row(figure, before, target)
-    plants = honest["plants"]
-    return Row(
-        figure, before, target, f"≤ 0.05 on {share(held)}", _interval(round(held * plants), plants), of
-    )
+    count, flights = groups["into"]["gentle"][name]
+    measured = f"≤ 0.05 on {share(count / flights if flights else None)}"
+    q = groups["into"]["largest_step"][name]
+    measured += f" (median {number(q['median'], 2)}, worst {number(q['worst'], 2)})"
+    return Row(figure, before, target, measured, _interval(count, flights), "flights that docked")
 
 
-def _true_wrench(honest: Any, of: str) -> Row:
+def _true_wrench(honest: Numbers | None) -> Row:
     figure, before, target = "RMS e_τ by the true wrench, S4", "0.39, above S2", "≤ 0.2 and below S2"
     if honest is None:
         return Row(figure, before, target)
     four, two = (honest["rows"][name]["median"]["e_tau_true"] for name in ("S4", "S2"))
-    return Row(figure, before, target, f"{number(four, 3)}; S2 {number(two, 3)} (medians)", "", of)
+    measured = f"{number(four, 2)}; S2 {number(two, 2)} (medians)"
+    of = f"the paper's mission and automaton, {honest['plants']} wide plants"
+    return Row(figure, before, target, measured, "", of)
+
+
+def _loads(said: Numbers | None) -> Row:
+    figure, before, target = "1 N too light or too heavy", "loses hover", "docks"
+    if said is None:
+        return Row(figure, before, target)
+    (up, ups), (down, downs) = said["light"], said["heavy"]
+    measured = f"{up} of {ups} too light, {down} of {downs} too heavy"
+    return Row(figure, before, target, measured, _interval(up + down, ups + downs), "still water")
+
+
+def _spread(q: Numbers, unit: str) -> str:
+    return f"{number(q['median'], 2)}{unit}; 90 % below {number(q['q90'], 2)}{unit}"
 
 
 def _interval(count: int, of: int) -> str:
-    return " – ".join(share(end, 1) for end in share_interval(count, of))
+    found = share_of(count, of)
+    return " – ".join(share(end, 1) for end in (found.low, found.high))

@@ -4,6 +4,8 @@ from collections.abc import Sequence
 from typing import Any
 
 from bumpless_paper.report.labels import label
+from bumpless_paper.report.outcomes import HEAD, rows_of
+from bumpless_paper.report.parts import PARTS
 from bumpless_paper.report.shortfalls import WHERE, shortfalls
 from bumpless_paper.report.ticks import number, percent, share, words
 
@@ -24,6 +26,12 @@ def small(document: dict[str, Any]) -> dict[str, Any]:
     return {**document, "parts": parts}
 
 
+def renewed(old: dict[str, Any], new: dict[str, Any]) -> dict[str, Any]:
+    """The new document, with the old one's parts where it has none of its own; in the order of the page."""
+    parts = old.get("parts", {}) | new["parts"]
+    return {**new, "parts": {name: parts[name] for name in PARTS if name in parts}}
+
+
 def with_results(page: str, document: dict[str, Any]) -> str:
     """The page with its results made anew. ValueError when it has no place for them."""
     head, begin, rest = page.partition(BEGIN)
@@ -34,9 +42,11 @@ def with_results(page: str, document: dict[str, Any]) -> str:
 
 
 def results_text(document: dict[str, Any]) -> str:
-    """Markdown: Table 3, goals, definitions, extensions, tables 6 to 8, the tank, and what falls short."""
+    """Markdown: what counts, then Table 3, goals, definitions, extensions, tables 6 to 8, the tank, and what
+    falls short."""
     parts = document["parts"]
-    blocks = [_table3(parts["table3"]), _goals(parts["robustness"])]
+    blocks = [outcomes_text(parts), fair_text(parts), honest_text(parts)] if "outcome" in parts else []
+    blocks += [_table3(parts["table3"]), _goals(parts["robustness"])]
     if "readings" in parts["robustness"]["numbers"]:
         blocks.append(_readings(parts["robustness"]))
     if "extensions" in parts:
@@ -46,6 +56,64 @@ def results_text(document: dict[str, Any]) -> str:
         blocks.append(diagnosis_text(parts["diagnosis"]))
     blocks += [_tank(parts["tank"]), _ground(parts), _short(parts)]
     return "\n\n".join(blocks) + "\n"
+
+
+def outcomes_text(parts: dict[str, Any]) -> str:
+    """Markdown: the table that leads."""
+    of = parts["outcome"]["numbers"]
+    rows = [list(row.cells) for row in rows_of(parts)]
+    return (
+        "**Does it dock?** TS-100 as it ships, on drawn missions that had no part in any choice (numbers "
+        "from "
+        f"{of['first']:,} on), judged by the truth.\n\n{_markdown(list(HEAD), rows, words=(1, 2, 3, 4, 5))}"
+    )
+
+
+def fair_text(parts: dict[str, Any]) -> str:
+    """Markdown: allocator by ramp, each with its own best gains, on the docking vehicle."""
+    n = parts["fair"]["numbers"]
+    rows = []
+    for row in n["rows"].values():
+        m, gentle = row["median"], row["gentle"]
+        low, high = row["docked_interval"]
+        rows.append([
+            row["title"], f"{share(row['docked'])} ({share(low)} – {share(high)})",
+            str(row["endings"].get("collided", 0)),
+            number(m["late_step_fr"], 2), share(gentle["fr"]),
+            number(m["late_step_rh"], 2), share(gentle["rh"]),
+            number(m["wrench_error_rms"], 2), number(m["reverse_depth_m_rms"], 2), number(m["energy_j"], 3),
+            number(m["fin_travel_deg"], 3),
+        ])  # fmt: skip
+    head = ["allocator", "docked", "collided", "step F→R", "≤ 0.05 on", "step R→H", "≤ 0.05 on", "true e_τ",
+            "depth R (m)", "energy (J)", "fins (°)"]  # fmt: skip
+    return (
+        f"**Allocator by ramp on the docking vehicle**, {n['flights']} drawn flights into a current, each "
+        "row with "
+        "the best gains of its own search with the same budget and score; steps from the switch until 15 s "
+        "after "
+        f"the ramp, medians.\n\n{_markdown(head, rows)}"
+    )
+
+
+def honest_text(parts: dict[str, Any]) -> str:
+    """Markdown: the published automaton, judged by the mission."""
+    n = parts["honest"]["numbers"]
+    rows = [
+        [
+            row["title"], share(row["docked"]), share(row["held"]), share(row["time_over"]),
+            share(row["collided"]),
+            number(row["median"]["settling_FR"], 2), number(row["median"]["settling_RH"], 2),
+            number(row["median"]["e_tau_true"], 2),
+        ]
+        for row in n["rows"].values()
+    ]  # fmt: skip
+    head = ["allocator", "docked", "held", "time over", "collided", "step F→R", "step R→H", "true e_τ"]
+    return (
+        f"**The published method, judged so**: the paper's automaton, guidance and mission on {n['plants']} "
+        "wide "
+        "plants. It does not dock here, and its ramp defers the step past the paper's window of 2 s.\n\n"
+        + _markdown(head, rows)
+    )
 
 
 def _markdown(head: list[str], rows: list[list[str]], words: Sequence[int] = ()) -> str:

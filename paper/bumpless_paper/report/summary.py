@@ -5,7 +5,7 @@ from html import escape
 from typing import Any
 
 from bumpless_paper.report.labels import label
-from bumpless_paper.report.outcomes import Flights, outcomes_html, rows_of
+from bumpless_paper.report.outcomes import outcomes_html, rows_of
 from bumpless_paper.report.shortfalls import WHERE, shortfalls
 from bumpless_paper.report.ticks import share
 
@@ -24,14 +24,11 @@ GLOSSARY: tuple[tuple[str, str], ...] = (
 )
 
 
-def summary_html(parts: Mapping[str, Any], campaign: Flights | None = None) -> str:
-    """HTML of outcomes and findings in the parts at hand (as in reproduce.json), and the glossary.
-
-    campaign: how a campaign's flights ended, for the table of outcomes.
-    """
+def summary_html(parts: Mapping[str, Any]) -> str:
+    """HTML of outcomes and findings in the parts at hand (as in reproduce.json), and the glossary."""
     found = "".join(f"<li>{escape(line)}</li>" for line in findings(parts))
     short = "".join(f"<li>{escape(line)}</li>" for line in shortfalls(dict(parts)))
-    out = outcomes_html(rows_of(parts, campaign))
+    out = outcomes_html(rows_of(parts))
     out += f'<h2>In short</h2><ul class="summary">{found}</ul>' if found else ""
     if short:
         where = escape(WHERE[0].upper() + WHERE[1:])

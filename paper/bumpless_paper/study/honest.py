@@ -12,11 +12,10 @@ from typing import Any
 
 import numpy as np
 
+from bumpless.campaign.summary import share_of
 from bumpless.contract import bumpless_pb2 as pb
-from bumpless.metrics import Columns
-from bumpless.runs.figures import figures_of
+from bumpless.metrics import Columns, figures_of
 from bumpless_paper.study.fly import Job, fly, fly_all
-from bumpless_paper.study.interval import share_interval
 from bumpless_paper.study.plants import WIDE, draw
 from bumpless_paper.study.scenarios import HONEST
 from bumpless_paper.study.tables import Progress
@@ -30,7 +29,7 @@ def judged(job: Job) -> Judged:
     """What counts of one flight; NaN for what did not happen."""
     result = fly(job)
     columns = Columns.from_log(result.log, len(result.vehicle.commands))
-    metrics, outcome = figures_of(columns, result.vehicle, "", "completed")
+    metrics, outcome = figures_of(columns, result.vehicle, result.mission, "completed")
     out: Judged = {"outcome": float(metrics.outcome.ending)}
     if outcome.true_errors is not None:
         out["position_m"], out["heading_deg"] = (
@@ -94,7 +93,8 @@ def summed(flights: Sequence[Judged]) -> dict[str, Any]:
         word = name.removeprefix("ENDING_").lower()
         out[word] = count / len(flights)
         if word == "docked":
-            out["docked_interval"] = share_interval(count, len(flights))
+            found = share_of(count, len(flights))
+            out["docked_interval"] = (found.low, found.high)
     for switch in ("FR", "RH"):
         steps = np.array([flight[f"settling_{switch}"] for flight in flights])
         out[f"gentle_{switch}"] = float(np.mean(steps <= 0.05))  # NaN, no such switch, is not gentle

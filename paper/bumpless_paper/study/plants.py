@@ -106,8 +106,8 @@ class Plant:
             lag=self.lag,
             fin_lift=self.fin_lift,
             thrust=self.thrust,
+            fin_slew=self.fin_slew,
         )(model, truth)
-        model["command_rate"][model["C_La"] > 0.0] *= self.fin_slew
         truth["errors"]["heading_bias"] += self.heading_bias / self.noise
         truth["errors"]["depth_bias"] += self.depth_bias / self.noise
 

@@ -1,15 +1,14 @@
 """`bumpless serve`: the console server on a terminal, from the address it prints to a clean Ctrl-C."""
 
+import contextlib
 import errno
 import logging
+import os
 import signal
 import socket
 import sys
 
 from bumpless_server.settings import Settings
-
-GRACEFUL_S = 3  # a stalled browser must not hold up the end
-WS_MAX_BYTES = 64 * 1024 * 1024  # viser's first message holds the whole scene
 
 
 def run(settings: Settings) -> int:
@@ -21,6 +20,7 @@ def run(settings: Settings) -> int:
     from bumpless_server.data_dir import DataDirError
     from bumpless_server.live.bus import BusError
     from bumpless_server.web.app import create_app
+    from bumpless_server.web.serving import server_config
 
     _set_up_logging()
     # A terminal that is closed and a service manager end the server as Ctrl-C does.
@@ -35,24 +35,19 @@ def run(settings: Settings) -> int:
     try:
         console = Console(settings)
         console.start()
-        config = uvicorn.Config(
-            create_app(settings, console),
-            log_config=None,
-            access_log=False,
-            ws_per_message_deflate=False,
-            ws_max_size=WS_MAX_BYTES,
-            timeout_graceful_shutdown=GRACEFUL_S,
-        )
+        config = server_config(create_app(settings, console), console.tally.note)
         _announce(settings, listener)
         uvicorn.Server(config).run(sockets=[listener])
     except (BusError, DataDirError, VehicleError) as error:
         return _fault(str(error))
+    except OSError as error:
+        return _fault(f"cannot be started: {error}")
     except KeyboardInterrupt:
         pass
     finally:
         listener.close()
         if console is not None and console.started:
-            print("Stopping the vehicle node and closing files ...", flush=True)
+            _say("Stopping the vehicle node and closing files ...")
             console.stop()
     return 0
 
@@ -76,11 +71,21 @@ def _announce(settings: Settings, listener: socket.socket) -> None:
             "everyone who reaches %s can command the vehicle; set BUMPLESS_TOKEN to ask for a token", host
         )
     shown = {"0.0.0.0": "localhost", "::": "localhost"}.get(host, f"[{host}]" if ":" in host else host)
-    print(f"Bumpless is at http://{shown}:{port}/  (Ctrl-C ends it)", flush=True)
+    _say(f"Bumpless is at http://{shown}:{port}/  (Ctrl-C ends it)")
+
+
+def _say(text: str) -> None:
+    """A line for the terminal. Its reader may be gone, as `tee` is after the same Ctrl-C."""
+    try:
+        print(text, flush=True)
+    except OSError:
+        # what is still in the buffer must not fail once more when the interpreter ends
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def _fault(text: str) -> int:
-    print(f"bumpless: {text}", file=sys.stderr, flush=True)
+    with contextlib.suppress(OSError):
+        print(f"bumpless: {text}", file=sys.stderr, flush=True)
     return 1
 
 

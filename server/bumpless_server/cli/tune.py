@@ -59,6 +59,7 @@ def _text(tuned: "Tuned", folder: Path) -> str:
         d = judged.docked
         lines.append(
             f"{name}: {d.count} of {d.total} held-out flights docked "
-            f"({100 * d.low:.1f} to {100 * d.high:.1f} %), score {judged.score:.3f}"
+            f"({100 * d.low:.1f} to {100 * d.high:.1f} %), score {judged.score:.3f} "
+            f"({judged.low:.3f} to {judged.high:.3f})"
         )
     return "\n".join([*lines, str(folder / "parameters.toml")])

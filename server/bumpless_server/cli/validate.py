@@ -31,44 +31,61 @@ def validate(
     Exit code 1 when a file has a fault or an error, or can't be read; the others are answered all the
     same.
     """
-    from bumpless import check
-    from bumpless.config.mission import MissionError, mission_json_schema, parse_mission
-    from bumpless.config.problems import Problem
-
     if schema:
+        from bumpless.config.mission import mission_json_schema
+
         typer.echo(json.dumps(mission_json_schema(), indent=2, ensure_ascii=False))
         return
     if not files:
         typer.echo("bumpless validate: name at least one mission file", err=True)
         raise typer.Exit(2)
-    results: list[dict[str, Any]] = []
-    for path in files:
-        problems, warnings, findings = (), [], ()
-        try:
-            mission = parse_mission(path.read_bytes(), str(path))
-            warnings = _warnings(mission) if stability else []
-            findings = check(mission)
-        except MissionError as error:
-            problems = error.problems
-        except OSError as error:
-            reason = f"cannot be read: {error.strerror or error}"
-            problems = (Problem(str(path), None, None, "", None, reason),)
-        ok = not problems and all(finding.severity != "error" for finding in findings)
-        found = {"ok": ok, "problems": [p.as_dict() for p in problems], "warnings": warnings}
-        results.append({"file": str(path), **found, "findings": [f.as_dict() for f in findings]})
-        if not as_json:
-            for problem in problems:
-                typer.echo(str(problem), err=True)
-            for finding in findings:
-                typer.echo(f"{path}: {finding.severity}: {finding}", err=True)
-            for warning in warnings:
-                typer.echo(f"{path}: warning: {warning}", err=True)
-            if ok:
-                typer.echo(f"{path}: ok")
+    results = [_checked(path, stability) for path in files]
+    if not as_json:
+        for result in results:
+            _say(result)
     if as_json:
         typer.echo(json.dumps(results, indent=2, ensure_ascii=False))
     if not all(result["ok"] for result in results):
         raise typer.Exit(1)
+
+
+def _checked(path: Path, stability: bool) -> dict[str, Any]:
+    """The answer for one file, which is whole whatever the file is."""
+    from bumpless.config.mission import parse_mission
+    from bumpless.config.problems import Problem
+    from bumpless_server.foresight.checked import checked
+
+    try:
+        data = path.read_bytes()
+    except OSError as error:
+        problem = Problem(str(path), None, None, "", None, f"cannot be read: {error.strerror or error}")
+        told = {"file": str(path), "sha256": "", "ok": False, "problems": [problem.as_dict()]}
+        return {**told, "findings": [], "warnings": []}
+    found = checked(data, str(path))
+    read = stability and not found["problems"]
+    return {**found, "warnings": _warnings(parse_mission(data, str(path))) if read else []}
+
+
+def _say(result: dict[str, Any]) -> None:
+    """One line for each fault; the good ones on the other stream."""
+    for problem in result["problems"]:
+        said = f"{problem['field']} = {problem['value']}" if problem["value"] else problem["field"]
+        fault = "; ".join(part for part in (said, problem["rule"]) if part)
+        typer.echo(f"{_place(problem['file'], problem)}: {fault}", err=True)
+    for finding in result["findings"]:
+        word = "error" if finding["severity"] == "hard" else "warning"
+        text = f"{finding['path']}: {finding['reason']} {finding['change']}".rstrip()
+        typer.echo(f"{_place(result['file'], finding)}: {word}: {text}", err=True)
+    for warning in result["warnings"]:
+        typer.echo(f"{result['file']}: warning: {warning}", err=True)
+    if result["ok"]:
+        typer.echo(f"{result['file']}: ok")
+
+
+def _place(file: str, one: dict[str, Any]) -> str:
+    if not one["line"]:
+        return file
+    return f"{file}:{one['line']}" + (f":{one['column']}" if one["column"] else "")
 
 
 def _warnings(mission: "Mission") -> list[str]:

@@ -5,28 +5,29 @@ from collections.abc import Callable
 from typing import Any
 
 import zenoh
-from google.protobuf.message import DecodeError, Message
+from google.protobuf.message import Message
 
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract import keys
 from bumpless.contract.session import session_config
+from bumpless_server.live.ask import NoAnswer, Question
+from bumpless_server.live.intake import HEARD, Rival, most_bytes
 from bumpless_server.live.sample import Sample
+from bumpless_server.live.speaker import Speaker
+from bumpless_server.live.tally import Tally
 
 log = logging.getLogger(__name__)
-
-MAX_PAYLOAD_BYTES = 4_000_000
 
 
 class BusError(RuntimeError):
     """The bus could not be opened: an address is taken or not reachable."""
 
 
-class NoAnswer(RuntimeError):
-    """A command reached no vehicle, or the vehicle did not answer in time."""
-
-
 class Bus:
-    """One session for one vehicle. `on_sample` and `on_alive` run on Zenoh's thread: enqueue only."""
+    """One session for one vehicle. `on_sample` and `on_alive` run on Zenoh's thread: enqueue only.
+
+    `rival` hears of answers by somebody else than the vehicle.
+    """
 
     def __init__(
         self,
@@ -35,9 +36,12 @@ class Bus:
         connect: tuple[str, ...],
         on_sample: Callable[[Sample], None],
         on_alive: Callable[[bool], None],
+        speaker: Speaker,
+        tally: Tally,
+        rival: Rival = lambda session, said: None,
     ) -> None:
         self.vehicle_id = vehicle_id
-        self.ignored = 0  # messages that name no protobuf schema or are absurdly large
+        self._speaker, self._tally, self._rival = speaker, tally, rival
         self._on_sample = on_sample
         self._on_alive = on_alive
         self._listen, self._connect = listen, connect
@@ -57,6 +61,9 @@ class Bus:
             session.declare_subscriber(keys.telemetry(self.vehicle_id, "*"), self._receive),
             session.declare_subscriber(keys.event(self.vehicle_id), self._receive),
             session.liveliness().declare_subscriber(
+                keys.claim(self.vehicle_id, "*", "*"), self._claims, history=True
+            ),
+            session.liveliness().declare_subscriber(
                 keys.alive(self.vehicle_id), self._liveliness, history=True
             ),
         ]
@@ -67,40 +74,41 @@ class Bus:
         if session is not None:
             session.close()
 
-    def command(self, verb: str, request: Message, timeout_s: float = 3.0) -> pb.CommandReply:
+    def command(
+        self, verb: str, request: Message, header: pb.RequestHeader, timeout_s: float = 3.0
+    ) -> pb.CommandReply:
         """Ask the vehicle and wait for its answer. Raises NoAnswer; blocks, so not on an event loop."""
         session = self._session
         if session is None:
             raise NoAnswer("the bus is closed")
-        try:
-            replies = session.get(
-                keys.command(self.vehicle_id, verb),
-                payload=request.SerializeToString(),
-                encoding=keys.encoding_of(request),
-                timeout=timeout_s,
-                congestion_control=zenoh.CongestionControl.BLOCK,
-                express=True,
-            )
-            for reply in replies:
-                if reply.ok is not None:
-                    return pb.CommandReply.FromString(reply.ok.payload.to_bytes())
-                if reply.err is not None:
-                    text = reply.err.payload.to_bytes().decode(errors="replace")
-                    raise NoAnswer(f"{self.vehicle_id} did not answer '{verb}': {text}")
-        except (zenoh.ZError, DecodeError) as error:
-            raise NoAnswer(f"{self.vehicle_id} gave no usable answer to '{verb}': {error}") from error
-        raise NoAnswer(f"no vehicle {self.vehicle_id} on the bus answers '{verb}'")
+        question = Question(self.vehicle_id, verb, header.id, self._speaker.session, self._foreign_reply)
+        return question.ask(session, request, header, timeout_s)
+
+    def _foreign_reply(self, verb: str, session_id: str) -> None:
+        self._tally.note("foreign_reply", f"'{verb}' by session {session_id or 'unnamed'}")
+        self._rival(session_id, f"an answer to '{verb}'")
 
     def _receive(self, sample: zenoh.Sample) -> None:
-        payload = sample.payload.to_bytes()
+        topic = keys.topic_of(str(sample.key_expr))
+        if topic not in HEARD:
+            self._tally.note("unknown_key", str(sample.key_expr))
+            return
+        size = len(sample.payload)
+        if size > most_bytes(topic):
+            self._tally.note("too_large", f"{topic}, {size} bytes")
+            return
         try:
             schema = keys.schema_of(str(sample.encoding))
         except ValueError:
             schema = ""
-        if not schema or len(payload) > MAX_PAYLOAD_BYTES:
-            self.ignored += 1
-            return
-        self._on_sample(Sample(keys.topic_of(str(sample.key_expr)), schema, payload))
+        session = "" if sample.timestamp is None else str(sample.timestamp.get_id())
+        self._on_sample(Sample(topic, schema, sample.payload.to_bytes(), session=session))
+
+    def _claims(self, sample: zenoh.Sample) -> None:
+        since, session_id = str(sample.key_expr).split("/")[-2:]
+        self._speaker.claim(session_id, since, sample.kind == zenoh.SampleKind.PUT)
 
     def _liveliness(self, sample: zenoh.Sample) -> None:
-        self._on_alive(sample.kind == zenoh.SampleKind.PUT)
+        present = sample.kind == zenoh.SampleKind.PUT
+        self._speaker.token(present)
+        self._on_alive(present)

@@ -4,14 +4,19 @@ It stands apart from the web's event loop, so a stalled page or a slow request d
 link's state nor the recorder, and it never waits for anything but its queue.
 """
 
+import logging
 import time
 from collections.abc import Callable
 
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless_server.live.boxes import BoundedQueue
+from bumpless_server.live.freshness import stale_after_s
+from bumpless_server.live.intake import Intake
 from bumpless_server.live.sample import STATUS, Sample
 from bumpless_server.live.state import State
 from bumpless_server.live.worker import Worker
+
+log = logging.getLogger(__name__)
 
 MAX_ITEMS = 20_000
 MAX_BYTES = 32_000_000
@@ -22,10 +27,22 @@ LinkListener = Callable[[pb.LinkState], None]
 
 
 class Dispatcher:
-    """Single writer of a State. `status` builds a fresh ServerStatus; `on_link` hears each link change."""
+    """Single writer of a State; `intake` says what is taken.
 
-    def __init__(self, state: State, status: Callable[[], pb.ServerStatus], on_link: LinkListener) -> None:
+    `status` builds a fresh ServerStatus, `on_link` hears each change of the link, `late` gets messages older
+    than what is shown.
+    """
+
+    def __init__(
+        self,
+        state: State,
+        status: Callable[[], pb.ServerStatus],
+        on_link: LinkListener,
+        intake: Intake,
+        late: Callable[[Sample], None],
+    ) -> None:
         self._state = state
+        self._intake, self._late = intake, late
         self._status = status
         self._on_link = on_link
         self._queue: BoundedQueue[Item] = BoundedQueue(
@@ -65,8 +82,24 @@ class Dispatcher:
         if isinstance(item, bool):
             self._state.set_alive(item)
             self._note_link()
-        else:
+        elif not item.from_vehicle:
             self._state.feed(item)
+        else:
+            try:
+                self._take(item)
+            except Exception:  # one odd message must not end the thread that hears all others
+                log.exception("a message on %s could not be taken in", item.topic)
+
+    def _take(self, sample: Sample) -> None:
+        message = self._intake.take(sample)
+        if message is None:
+            return
+        if not self._intake.is_in_order(sample, message):
+            self._late(sample)
+            return
+        if isinstance(message, pb.VehicleDescription):
+            self._state.set_stale_after(stale_after_s(message.control_period_s))
+        self._state.feed(sample)
 
     def _on_time(self) -> None:
         self._note_link()
@@ -105,5 +138,6 @@ def _same(one: pb.ServerStatus, other: pb.ServerStatus) -> bool:
             "recorder_trouble",
             "node_restarts",
             "stream_clients",
+            "bus_notice",
         )
     )

@@ -13,6 +13,7 @@ class Link:
     """The link to one vehicle; `now` is always time.monotonic() of the caller, s."""
 
     alive: bool = False  # liveliness token present
+    stale_after_s: float = STALE_AFTER_S  # longer for a vehicle whose control period is
     _had_token: bool = False
     _heard_at: float | None = None
 
@@ -38,13 +39,13 @@ class Link:
             return pb.LINK_STATE_LOST
         if not self._had_token and age >= LOST_WITHOUT_TOKEN_S:
             return pb.LINK_STATE_LOST
-        return pb.LINK_STATE_LIVE if age < STALE_AFTER_S else pb.LINK_STATE_STALE
+        return pb.LINK_STATE_LIVE if age < self.stale_after_s else pb.LINK_STATE_STALE
 
     def next_change_s(self, now: float) -> float | None:
         """Seconds until time alone would change the state; None when only a message can."""
         age = self.age_s(now)
         if self.state(now) == pb.LINK_STATE_LIVE:
-            return STALE_AFTER_S - age
+            return self.stale_after_s - age
         if self.state(now) == pb.LINK_STATE_STALE and not self._had_token:
             return LOST_WITHOUT_TOKEN_S - age
         return None

@@ -22,6 +22,8 @@ class Sample:
     payload: bytes
     receive_ns: int = field(default_factory=time.time_ns)  # UNIX time at the server
     from_vehicle: bool = True  # False for what the server itself says
+    session: str = ""  # the speaker's on the bus, where it tells
+    received_s: float = field(default_factory=time.monotonic)  # for ages: never set back
 
     def decode(self) -> Message | None:
         """The message, or None when the bytes or the schema are not of this contract."""

@@ -19,6 +19,7 @@ from bumpless_server.live.sample import EVENT, Sample, telemetry_topic
 log = logging.getLogger(__name__)
 
 EVENT_HISTORY = 500
+EVENT_BYTES = 2_000_000  # of all of them together
 Listener = Callable[[Sample], None]
 
 
@@ -33,10 +34,11 @@ class State:
         self._lock = threading.Lock()
         self._last: dict[str, Sample] = {}
         self._decoded: dict[str, tuple[Sample, Message | None]] = {}
-        self._events: deque[Sample] = deque(maxlen=EVENT_HISTORY)
+        self._events: deque[Sample] = deque()
+        self._event_bytes = 0
         self._listeners: tuple[Listener, ...] = ()
         self._link = Link()
-        self._lost_ns = 0
+        self._lost_s = 0.0
 
     def latest(self, topic: str) -> Message | None:
         """The newest message of a topic, decoded once and shared: do not change it. None before the first."""
@@ -71,7 +73,7 @@ class State:
     def age_s(self, topic: str) -> float:
         """Seconds since the newest message of a topic arrived; infinite when there was none."""
         sample = self.sample(topic)
-        return float("inf") if sample is None else max(0.0, (time.time_ns() - sample.receive_ns) * 1e-9)
+        return float("inf") if sample is None else max(0.0, time.monotonic() - sample.received_s)
 
     @property
     def link(self) -> pb.LinkState:
@@ -105,25 +107,40 @@ class State:
         """Take in one message and hand it to every listener."""
         with self._lock:
             if sample.topic == EVENT:
-                self._events.append(sample)
+                self._keep_event(sample)
             else:
                 self._last[sample.topic] = sample
             if sample.from_vehicle and sample.topic != EVENT:
                 self._link.heard(time.monotonic())
             listeners = self._listeners
+        self._tell(listeners, sample)
+
+    @staticmethod
+    def _tell(listeners: tuple[Listener, ...], sample: Sample) -> None:
         for listener in listeners:
             try:
                 listener(sample)
             except Exception:
                 log.exception("a listener failed on %s", sample.topic)
 
+    def set_stale_after(self, seconds: float) -> None:
+        """How long this vehicle may be silent before it is late."""
+        with self._lock:
+            self._link.stale_after_s = seconds
+
+    def _keep_event(self, sample: Sample) -> None:
+        self._events.append(sample)
+        self._event_bytes += len(sample.payload)
+        while len(self._events) > EVENT_HISTORY or self._event_bytes > EVENT_BYTES:
+            self._event_bytes -= len(self._events.popleft().payload)
+
     def set_alive(self, alive: bool) -> None:
         """The liveliness token appeared or went. A returning vehicle's older values are forgotten."""
         with self._lock:
             if not alive and self._link.alive:
-                self._lost_ns = time.time_ns()
-            if alive and not self._link.alive and self._lost_ns:
+                self._lost_s = time.monotonic()
+            if alive and not self._link.alive and self._lost_s:
                 for topic, sample in list(self._last.items()):
-                    if sample.from_vehicle and sample.receive_ns <= self._lost_ns:
+                    if sample.from_vehicle and sample.received_s <= self._lost_s:
                         del self._last[topic]
             self._link.token(alive)

@@ -1,8 +1,9 @@
 """Fan-out to browsers: each has its own latest-wins buffer, so a slow one costs nobody else anything.
 
 The dispatcher's thread fills the buffers and never waits; one task per browser empties its buffer at
-no more than 20 frames a second. What a frozen browser has not read is bounded: one message per topic,
-the last events, and what the socket's own buffer holds.
+no more than 25 frames a second. A browser that keeps up gets every message, also when a frame comes a little
+late; what a frozen one has not read is bounded: a few messages per topic, the last events, and what the
+socket's own buffer holds.
 """
 
 import asyncio
@@ -15,7 +16,8 @@ from bumpless.contract import bumpless_pb2 as pb
 from bumpless_server.live.sample import EVENT, Sample
 from bumpless_server.live.state import State
 
-FRAME_PERIOD_S = 0.05
+FRAME_PERIOD_S = 0.04
+KEPT = 3  # messages of a topic that may wait: frames jitter, cycles shall not be lost for that
 PAST_EVERY = 5  # control cycles: what a new browser's plots begin with is coarser, without gaps
 PAST_FRAMES = 480  # two minutes at 20 Hz
 PLOTTED = tuple(
@@ -23,30 +25,30 @@ PLOTTED = tuple(
 )
 GATHER_S = 0.004  # the topics of one control cycle arrive within this time of each other
 MAX_EVENTS = 500
+EVENT_BYTES = 1_000_000  # of the events that wait for one browser
 
 
 class ClientBuffer:
-    """What one browser has not been sent yet: the newest of each topic, every event."""
+    """What one browser has not been sent yet: the newest few of each topic, every event."""
 
     def __init__(self, loop: asyncio.AbstractEventLoop, first: list[Sample]) -> None:
         self._loop = loop
         self._lock = threading.Lock()
-        self._newest = {sample.topic: sample for sample in first if sample.topic != EVENT}
-        self._events = deque((s for s in first if s.topic == EVENT), maxlen=MAX_EVENTS)
+        self._newest: dict[str, deque[Sample]] = {}
+        self._events: deque[Sample] = deque()
+        self._event_bytes = 0
         self._filled = asyncio.Event()
         self._woken = bool(first)
         if first:
             self._filled.set()
         self.replaced = 0  # messages that a newer one of their topic took the place of
+        for sample in first:
+            self._keep(sample)
 
     def offer(self, sample: Sample) -> None:
         """Take in a message; callable from any thread, never waits."""
         with self._lock:
-            if sample.topic == EVENT:
-                self._events.append(sample)
-            else:
-                self.replaced += sample.topic in self._newest
-                self._newest[sample.topic] = sample
+            self._keep(sample)
             if self._woken:
                 return
             self._woken = True
@@ -58,12 +60,25 @@ class ClientBuffer:
     def take(self) -> list[Sample]:
         """All that waits: topics in order of arrival, events in between."""
         with self._lock:
-            samples = [*self._newest.values(), *self._events]
+            samples = [sample for kept in self._newest.values() for sample in kept]
+            samples += self._events
             self._newest.clear()
             self._events.clear()
+            self._event_bytes = 0
             self._filled.clear()
             self._woken = False
         return sorted(samples, key=lambda sample: sample.receive_ns)
+
+    def _keep(self, sample: Sample) -> None:
+        if sample.topic != EVENT:
+            kept = self._newest.setdefault(sample.topic, deque(maxlen=KEPT))
+            self.replaced += len(kept) == KEPT
+            kept.append(sample)
+            return
+        self._events.append(sample)
+        self._event_bytes += len(sample.payload)
+        while len(self._events) > MAX_EVENTS or self._event_bytes > EVENT_BYTES:
+            self._event_bytes -= len(self._events.popleft().payload)
 
     async def wait(self) -> None:
         """Until there is something to take."""
@@ -137,13 +152,14 @@ class Stream:
         try:
             for cycle in self.past():
                 await send(frame_of(cycle, past=True))
+            sent = loop.time() - FRAME_PERIOD_S
             while True:
+                # after the news, not by a clock of our own: two clocks drift, and every drift costs a cycle
                 await client.wait()
-                await asyncio.sleep(GATHER_S)
-                started = loop.time()
+                await asyncio.sleep(max(GATHER_S, sent + FRAME_PERIOD_S - loop.time()))
+                sent = loop.time()
                 samples = client.take()
                 if samples:
                     await send(frame_of(samples))
-                await asyncio.sleep(max(0.0, started + FRAME_PERIOD_S - GATHER_S - loop.time()))
         finally:
             self.leave(client)

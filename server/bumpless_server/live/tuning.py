@@ -37,3 +37,14 @@ def parse(given: Any, vehicle: Vehicle | None) -> pb.Parameters:
         if problems:
             raise TuningError(problems)
     return message
+
+
+def changes(before: Any, after: Any, within: str = "") -> dict[str, list[Any]]:
+    """What differs between two sets as JSON: path -> [from, to]."""
+    if isinstance(before, dict) and isinstance(after, dict):
+        found: dict[str, list[Any]] = {}
+        for name in before.keys() | after.keys():
+            path = f"{within}.{name}" if within else str(name)
+            found |= changes(before.get(name), after.get(name), path)
+        return dict(sorted(found.items()))
+    return {} if before == after else {within: [before, after]}

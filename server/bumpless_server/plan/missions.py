@@ -1,16 +1,20 @@
 """Mission files: those that come with the package, and uploaded ones in the data folder."""
 
+import hashlib
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 
 from bumpless.config.mission import Mission, MissionError, missions_folder, parse_mission
 from bumpless.config.problems import Problem
 from bumpless.config.vehicle import Vehicle
 from bumpless_server.data_dir import write_whole
-from bumpless_server.files import BadName, checked_name
+from bumpless_server.files import BadName, checked_name, why_no_file
+from bumpless_server.live.tally import printable
 
 ENDINGS = (".yaml", ".yml")
+MOST_BYTES = 4_000_000
 
 
 class MissionExists(Exception):
@@ -24,9 +28,19 @@ class MissionFile:
     name: str
     path: Path
     builtin: bool
-    text: str
+    data: bytes
     mission: Mission | None
     problems: tuple[Problem, ...] = ()
+
+    @property
+    def text(self) -> str:
+        """The bytes as text; what is no UTF-8 shows as replacement characters."""
+        return self.data.decode("utf-8", errors="replace")
+
+    @cached_property
+    def sha256(self) -> str:
+        """Hash of the bytes, valid or not: the same in the browser, here and on the command line."""
+        return hashlib.sha256(self.data).hexdigest()
 
 
 class Missions:
@@ -53,10 +67,23 @@ class Missions:
             for folder in (self._builtin, self._uploads)
             for ending in ENDINGS
             for path in folder.glob(f"*{ending}")
-            if not path.name.startswith(".") and path.is_file()
+            if not path.name.startswith(".") and not self._why_not(path)
         ]
         found = {path.stem: self._load(path) for path in reversed(paths)}
         return sorted(found.values(), key=lambda file: (not file.builtin, file.name))
+
+    def left_out(self) -> dict[str, str]:
+        """Entries of the uploads' folder that are in no list, with the reason."""
+        entries = (path for ending in ENDINGS for path in self._uploads.glob(f"*{ending}"))
+        told = {printable(path.name): self._why_not(path) for path in entries if path.name[0] != "."}
+        return {name: reason for name, reason in sorted(told.items()) if reason}
+
+    @staticmethod
+    def _why_not(path: Path) -> str:
+        try:
+            return why_no_file(path, most_bytes=MOST_BYTES)
+        except FileNotFoundError:
+            return "it has just gone"
 
     def get(self, name: str) -> MissionFile | None:
         """One mission; `name` with or without .yaml."""
@@ -69,16 +96,21 @@ class Missions:
     def save(self, name: str, data: bytes, replace: bool) -> MissionFile:
         """Check an uploaded mission and keep its bytes. Raises BadName, MissionError or MissionExists."""
         name = checked_name(name, *ENDINGS)
-        _parse(data, f"{name}.yaml", self._vehicle())
+        parse_planned(data, f"{name}.yaml", self._vehicle())
         present = self.get(name)
         if present is not None and present.builtin:
             raise MissionExists(f"{name} is a built-in mission; give yours another name")
         if present is not None and not replace:
             raise MissionExists(f"there is a mission {name} already")
+        file = self.put(name, data)
+        if present is not None and present.path != file.path:
+            present.path.unlink(missing_ok=True)
+        return file
+
+    def put(self, name: str, data: bytes) -> MissionFile:
+        """Write an uploaded mission's bytes, whatever they hold."""
         path = self._uploads / f"{name}.yaml"
         write_whole(path, data)
-        if present is not None and present.path != path:
-            present.path.unlink(missing_ok=True)
         return self._load(path)
 
     def delete(self, name: str) -> bool:
@@ -98,21 +130,21 @@ class Missions:
         if cached is not None and cached[0] == mark:
             return cached[1]
         builtin = path.parent == self._builtin
-        text = ""
+        data = b""
         try:
             data = path.read_bytes()
-            text = data.decode("utf-8", errors="replace")
-            file = MissionFile(path.stem, path, builtin, text, _parse(data, path.name, vehicle))
+            file = MissionFile(path.stem, path, builtin, data, parse_planned(data, path.name, vehicle))
         except MissionError as error:
-            file = MissionFile(path.stem, path, builtin, text, None, error.problems)
-        except OSError as error:
-            problem = Problem(path.name, None, None, "", None, f"cannot be read: {error.strerror}")
-            file = MissionFile(path.stem, path, builtin, text, None, (problem,))
+            file = MissionFile(path.stem, path, builtin, data, None, error.problems)
+        except Exception as error:  # whatever one odd file makes of its reader, the others stay in the list
+            why = getattr(error, "strerror", None) or f"{type(error).__name__}: {error}"
+            problem = Problem(path.name, None, None, "", None, printable(f"cannot be read: {why}"))
+            file = MissionFile(path.stem, path, builtin, data, None, (problem,))
         self._read[path] = (mark, file)
         return file
 
 
-def _parse(data: bytes, source: str, present: Vehicle | None) -> Mission:
+def parse_planned(data: bytes | str, source: str, present: Vehicle | None) -> Mission:
     """Check a mission against the vehicle file of the name it asks for, or the present vehicle's own."""
     try:
         return parse_mission(data, source)

@@ -5,8 +5,14 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
+from google.protobuf.json_format import ParseDict, ParseError
+
+from bumpless.contract import bumpless_pb2 as pb
 from bumpless_server.data_dir import write_whole
-from bumpless_server.files import BadName, checked_name
+from bumpless_server.files import BadName, checked_name, why_no_file
+from bumpless_server.live.tally import printable
+
+MOST_BYTES = 1_000_000
 
 
 class Presets:
@@ -14,20 +20,44 @@ class Presets:
 
     def __init__(self, folder: Path) -> None:
         self._folder = folder
+        self._left_out: dict[str, str] = {}
 
     def all(self) -> list[dict[str, Any]]:
-        """Every preset by name, its parameters included; files that are no JSON are left out."""
-        presets = (self.get(path.stem) for path in sorted(self._folder.glob("*.json")))
-        return [preset for preset in presets if preset is not None]
+        """Every preset by name, its parameters included; what can't be read is left out, see `left_out`."""
+        found, left_out = [], {}
+        for path in sorted(self._folder.glob("*.json")):
+            try:
+                reason = why_no_file(path, most_bytes=MOST_BYTES)
+                if not reason:
+                    found.append(self._read(path))
+            except FileNotFoundError:
+                continue
+            except (OSError, ValueError, OverflowError, RecursionError, ParseError) as error:
+                reason = str(error) or type(error).__name__
+            if reason:
+                left_out[printable(path.name)] = printable(reason)
+        self._left_out = left_out
+        return found
+
+    def left_out(self) -> dict[str, str]:
+        """Entries of the folder that are no presets, with the reason."""
+        self.all()
+        return dict(self._left_out)
 
     def get(self, name: str) -> dict[str, Any] | None:
         """One preset, or None."""
         try:
             path = self._path(name)
-            parameters = json.loads(path.read_text(encoding="utf-8"))
-            modified = datetime.fromtimestamp(path.stat().st_mtime, UTC).isoformat(timespec="seconds")
-        except (BadName, OSError, ValueError):
+            return None if why_no_file(path, most_bytes=MOST_BYTES) else self._read(path)
+        except (BadName, OSError, ValueError, OverflowError, RecursionError, ParseError):
             return None
+
+    def _read(self, path: Path) -> dict[str, Any]:
+        parameters = json.loads(path.read_text(encoding="utf-8"))
+        if not isinstance(parameters, dict):
+            raise ValueError("it holds no set of parameters")
+        ParseDict(parameters, pb.Parameters(), ignore_unknown_fields=True)
+        modified = datetime.fromtimestamp(path.stat().st_mtime, UTC).isoformat(timespec="seconds")
         return {"name": path.stem, "modified": modified, "parameters": parameters}
 
     def save(self, name: str, parameters: dict[str, Any]) -> None:

@@ -15,12 +15,15 @@ from pathlib import Path
 from typing import Any
 
 import bumpless
+from bumpless.contract.names import RUN
 from bumpless.metrics import as_dict
 from bumpless.runs.names import CUT_OFF, ENDING
 from bumpless.runs.records import is_whole
 from bumpless.runs.repair import repair
 from bumpless.runs.run import NoFigures
 from bumpless.runs.summary import RunSummary, summarise
+from bumpless_server.files import why_no_file
+from bumpless_server.live.tally import printable
 
 log = logging.getLogger(__name__)
 
@@ -51,6 +54,7 @@ class Catalogue:
         self._folder, self._index = folder, index
         self._lock = threading.RLock()
         self._db: sqlite3.Connection | None = None
+        self._left_out: dict[str, str] = {}
 
     def open(self) -> None:
         """Open the index; a damaged or older one is thrown away, for the files hold everything."""
@@ -73,26 +77,48 @@ class Catalogue:
     def refresh(self, busy: Callable[[], Path | None] = lambda: None) -> list[Path]:
         """Make the index agree with the files; returns those that were repaired.
 
-        The file that `busy` names is being written and is left alone.
+        The file that `busy` names is being written and is left alone. What can't be taken in costs
+        no other file its place: `left_out` tells why.
         """
         repaired = []
         with self._lock:
             known = {
                 row["id"]: (row["bytes"], row["modified_ns"]) for row in self._rows("SELECT * FROM runs")
             }
-        present = set()
+        present, left_out = set(), {}
         for path in sorted(self._folder.glob(f"*{ENDING}")):
-            present.add(path.stem)
             if path == busy():
+                present.add(path.stem)
                 continue
-            with contextlib.suppress(FileNotFoundError):
-                if not is_whole(path) and _repaired(path):
-                    repaired.append(path)
-                found = path.stat()
-                if known.get(path.stem) != (found.st_size, found.st_mtime_ns):
-                    self.add(path)
+            try:
+                reason = why_no_file(path, RUN)
+                if not reason:
+                    present.add(path.stem)
+                    if self._refreshed(path, known.get(path.stem)):
+                        repaired.append(path)
+            except FileNotFoundError:
+                continue
+            except Exception as error:
+                log.exception("%s could not be taken into the list", printable(path.name))
+                reason = str(error) or type(error).__name__
+            if reason:
+                left_out[printable(path.name)] = printable(reason)
         with self._lock, self._database() as db:
+            self._left_out = left_out
             db.executemany("DELETE FROM runs WHERE id = ?", [(run,) for run in known if run not in present])
+        return repaired
+
+    def left_out(self) -> dict[str, str]:
+        """Entries of the folder that are in no list, with the reason."""
+        with self._lock:
+            return dict(self._left_out)
+
+    def _refreshed(self, path: Path, known: tuple[int, int] | None) -> bool:
+        """Take in a file that differs from what is known of it; True when it was repaired for that."""
+        repaired = not is_whole(path) and _repaired(path)
+        found = path.stat()
+        if known != (found.st_size, found.st_mtime_ns):
+            self.add(path)
         return repaired
 
     def add(self, path: Path) -> None:
@@ -111,18 +137,21 @@ class Catalogue:
     def rows(self) -> list[Row]:
         """All finished runs, newest first."""
         with self._lock:
-            return [_row(row) for row in self._rows("SELECT * FROM runs ORDER BY started_ns DESC, id DESC")]
+            found = self._rows("SELECT * FROM runs ORDER BY started_ns DESC, id DESC")
+        return [row for row in map(_row, found) if row is not None]
 
     def row(self, run: str) -> Row | None:
         """One finished run."""
         with self._lock:
             found = self._rows("SELECT * FROM runs WHERE id = ?", run)
-            return _row(found[0]) if found else None
+        return _row(found[0]) if found else None
 
     def path(self, run: str) -> Path | None:
         """The file of a run, finished or not; None when there is none of that name."""
+        if not RUN.allows(run):
+            return None
         path = self._folder / f"{run}{ENDING}"
-        return path if path.parent == self._folder and path.is_file() else None
+        return path if path.is_file() else None
 
     def delete(self, run: str) -> bool:
         """Remove a finished run, file and index; False when there is none."""
@@ -161,10 +190,15 @@ class Catalogue:
             return db.execute(query, values).fetchall()
 
 
-def _row(row: sqlite3.Row) -> Row:
-    values = {item.name: row[item.name] for item in fields(RunSummary)}
-    values["metrics"] = json.loads(row["metrics"]) if row["metrics"] else None
-    return Row(RunSummary(**values), row["bytes"], row["modified_ns"])
+def _row(row: sqlite3.Row) -> Row | None:
+    """None for a row that somebody else wrote: the next refresh of its file mends it."""
+    try:
+        values = {item.name: row[item.name] for item in fields(RunSummary)}
+        values["metrics"] = json.loads(row["metrics"]) if row["metrics"] else None
+        return Row(RunSummary(**values), row["bytes"], row["modified_ns"])
+    except (ValueError, TypeError, RecursionError):
+        log.warning("a row of the index of runs cannot be read")
+        return None
 
 
 def _judged(summary: RunSummary, path: Path) -> RunSummary:

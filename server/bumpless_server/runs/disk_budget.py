@@ -4,6 +4,7 @@ Without room nothing is recorded, and the operator is told. Runs are deleted onl
 and then for the budget of runs alone: what else fills the disk is not made up for with runs.
 """
 
+import contextlib
 import shutil
 from collections.abc import Callable
 from pathlib import Path
@@ -37,7 +38,11 @@ class DiskBudget:
         return ""
 
     def _taken(self) -> int:
-        return sum(path.stat().st_size for path in self._folder.glob(f"*{ENDING}"))
+        taken = 0
+        for path in self._folder.glob(f"*{ENDING}"):
+            with contextlib.suppress(OSError):  # a link to itself, a file that has just gone
+                taken += path.stat().st_size
+        return taken
 
 
 def _mb(count: int) -> str:

@@ -32,6 +32,8 @@ log = logging.getLogger(__name__)
 
 FLUSH_S = 1.0
 PRE_ROLL = 1000  # messages kept while idle: a run's first cycles may precede its mission status
+PRE_ROLL_BYTES = 4_000_000
+LONGEST_PART = 120
 HELD_EVERY_S = 1.0  # of a hold after a mission one cycle is kept in so long
 SETTLE_S = 0.5  # after the end, for the rest of the last cycle
 RETRY_S = 5.0  # after a disk without room, and the first time after a failing one
@@ -68,7 +70,9 @@ class Recorder:
             keep=lambda item: isinstance(item, _LinkLost) or item.topic == MISSION,
         )
         self._context: dict[str, Sample] = {}
-        self._recent: deque[Sample] = deque(maxlen=PRE_ROLL)
+        self._recent: deque[Sample] = deque()
+        self._recent_bytes = 0
+        self._speaker = ""  # the session whose run is recorded
         self._run: RunWriter | None = None
         self._dropped_before = 0
         self._end: tuple[pb.MissionStatus, float] | None = None  # last status and when to close
@@ -181,16 +185,20 @@ class Recorder:
             if self._end is not None:
                 self._finish_ended()
             self._finish(INTERRUPTED, "link to the vehicle lost")
-            self._context.clear()
-            self._recent.clear()
+            self._forget()
             return
+        if self._run is not None and item.session != self._speaker:
+            # the file ends as nobody's success: what the other says belongs to its own run
+            self._end = None
+            self._finish(INTERRUPTED, "another session speaks for the vehicle")
+            self._forget()
         if self._end is not None and _cycle(item) > self._end[0].stamp.cycle:
             self._finish_ended()
         if item.topic in CONTEXT:
             self._context[item.topic] = item
-        self._recent.append(item)
+        self._remember(item)
         status = item.decode() if item.topic == MISSION else None
-        if isinstance(status, pb.MissionStatus) and self._on_status(status):
+        if isinstance(status, pb.MissionStatus) and self._on_status(status, item):
             return
         if self._run is not None and not self._passed_over(item):
             self._write(item)
@@ -202,7 +210,18 @@ class Recorder:
         every = max(1, round(HELD_EVERY_S / self._period_s()))
         return self._holds and per_cycle and _cycle(item) % every != 0
 
-    def _on_status(self, status: pb.MissionStatus) -> bool:
+    def _remember(self, item: Sample) -> None:
+        self._recent.append(item)
+        self._recent_bytes += len(item.payload)
+        while len(self._recent) > PRE_ROLL or self._recent_bytes > PRE_ROLL_BYTES:
+            self._recent_bytes -= len(self._recent.popleft().payload)
+
+    def _forget(self) -> None:
+        self._context.clear()
+        self._recent.clear()
+        self._recent_bytes = 0
+
+    def _on_status(self, status: pb.MissionStatus, told: Sample) -> bool:
         """Begin or end a file as the vehicle says; True when the status itself was written by that."""
         run = self._run
         if status.phase in FLYING and status.run_id:
@@ -213,14 +232,14 @@ class Recorder:
             if status.run_id != self._tried or time.monotonic() >= self._retry_at:
                 self._tried = status.run_id
                 if self._has_room(status.run_id):
-                    self._begin(status)
+                    self._begin(status, told)
             return self._run is not None
         if self._holds and run is not None and status.phase == COMPLETED and status.run_id == run.run_id:
             run.status = status
             return False
         if run is None and status.phase == COMPLETED and status.run_id and time.monotonic() >= self._retry_at:
             if self._has_room(status.run_id):
-                self._begin(status, holds=True)
+                self._begin(status, told, holds=True)
             return self._run is not None
         if run is None and time.monotonic() >= self._retry_at:
             self._retry_at = time.monotonic() + RETRY_S
@@ -231,12 +250,14 @@ class Recorder:
             self._end = (status, time.monotonic() + SETTLE_S)
         return False
 
-    def _begin(self, status: pb.MissionStatus, holds: bool = False) -> None:
+    def _begin(self, status: pb.MissionStatus, told: Sample, holds: bool = False) -> None:
         self._holds = holds
         self._dropped_before = self._queue.dropped
+        self._speaker = told.session
         name = free_id(self._folder, status.run_id)
         self._run = run = RunWriter(self._folder / f"{name}{ENDING}", status, name, self._views())
-        began_ns = status.stamp.time_ns - round(status.elapsed_s * 1e9)
+        # by our clock, which all log times are told by; the vehicle's own may be hours off
+        began_ns = told.receive_ns - round(status.elapsed_s * 1e9)
         for sample in self._context.values():
             if not _is_other_plan(sample, status):
                 self._write(sample, max(sample.receive_ns, began_ns))
@@ -244,7 +265,7 @@ class Recorder:
             if not holds and sample.topic not in CONTEXT and self._belongs(sample, status):
                 self._write(sample)
         self._flush_at = time.monotonic() + FLUSH_S
-        if any(told == status.run_id for _, told in self._told):
+        if any(run_id == status.run_id for _, run_id in self._told):
             what = f"Run {status.run_id} is being recorded again, as {run.id}"
             self._say(pb.SEVERITY_INFO, "recording_again", what, {"run": run.id})
         log.info("recording %s", run.path)
@@ -294,6 +315,7 @@ class Recorder:
 def free_id(folder: Path, run_id: str) -> str:
     """`run_id`, or `run_id.2`, `.3` ... when an earlier part of the same run is there already."""
     name, part = RUN.check(run_id, "run id"), 1
+    run_id = run_id[:LONGEST_PART]  # the number after it keeps to the rule as well
     while (folder / f"{name}{ENDING}").exists():
         part += 1
         name = f"{run_id}.{part}"

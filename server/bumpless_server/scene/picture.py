@@ -98,6 +98,9 @@ class Picture:
             vehicle = self._parse(description.vehicle_toml)
         except ValueError:
             log.exception("the vehicle's description cannot be drawn")
+            if self.vehicle is not None:  # another vehicle's hull would be a lie
+                self.vehicle.remove()
+                self.vehicle = None
             return
         with self._server.atomic():
             if self.vehicle is not None:

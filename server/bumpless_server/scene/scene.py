@@ -9,6 +9,7 @@ from fastapi import APIRouter, Request, WebSocket
 
 from bumpless_server.scene.attainable import AttainableSets, Sets, sets_of
 from bumpless_server.scene.cameras import Cameras
+from bumpless_server.scene.finite import Finite
 from bumpless_server.scene.proxy import Proxy
 from bumpless_server.scene.trail import Track
 
@@ -36,7 +37,7 @@ class Scene:
         light: bool = False,
         make_sets: Callable[[Any], Callable[[float], Sets]] = sets_of,
     ) -> None:
-        self._state, self._light, self._make_sets = state, light, make_sets
+        self._state, self._light, self._make_sets = Finite(state), light, make_sets
         self.cameras = Cameras()
         self.proxy = Proxy(session_of, self.cameras.set_view)
         self.viser: Any = None

@@ -11,7 +11,8 @@ def node_command(settings: Settings) -> tuple[str, ...]:
     """Command line of the vehicle node that connects to this server's bus."""
     if settings.node_command:
         return settings.node_command
-    command = [sys.executable, "-m", "bumpless_server.cli.main", "vehicle", settings.vehicle]
+    # -P: what lies in the working directory is no part of the node
+    command = [sys.executable, "-P", "-m", "bumpless_server.cli.main", "vehicle", settings.vehicle]
     for endpoint in settings.zenoh_listen or settings.zenoh_connect:
         for address in ANY_ADDRESS:
             endpoint = endpoint.replace(f"/{address}:", "/127.0.0.1:")

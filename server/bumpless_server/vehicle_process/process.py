@@ -55,7 +55,8 @@ class NodeProcess:
 def spawn(command: tuple[str, ...], log_file: Path, record: Path) -> NodeProcess:
     """Start the node in a session of its own, so that neither Ctrl-C nor our death reaches it.
 
-    Its output goes to a file: a pipe to us would break it when we are killed. `record` remembers it.
+    Its output goes to a file: a pipe to us would break it when we are killed. `record` remembers it; a node
+    that cannot be remembered is ended again, for nobody would find it. Raises OSError.
     """
     if log_file.exists() and log_file.stat().st_size > LOG_LIMIT_BYTES:
         log_file.replace(log_file.with_suffix(".log.1"))
@@ -72,7 +73,12 @@ def spawn(command: tuple[str, ...], log_file: Path, record: Path) -> NodeProcess
         created = psutil.Process(child.pid).create_time()
     except psutil.NoSuchProcess:
         created = 0.0
-    write_whole(record, json.dumps({"pid": child.pid, "created": created}).encode())
+    try:
+        write_whole(record, json.dumps({"pid": child.pid, "created": created}).encode())
+    except BaseException:
+        child.kill()
+        child.wait()
+        raise
     return NodeProcess(child.pid, created, child)
 
 

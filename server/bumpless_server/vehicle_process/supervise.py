@@ -5,6 +5,7 @@ one queue, so no decision waits for the web server and no two decisions cross.
 """
 
 import logging
+import math
 import queue
 import signal
 import threading
@@ -49,6 +50,7 @@ class Supervisor:
     _link: int = pb.LINK_STATE_WAITING
     _started_at: float = 0.0
     _early_deaths: int = 0
+    _was_live: bool = False  # the present node was: it works, so a crash is mended at once
     _spawn_at: float | None = None
     _hung_at: float | None = None
 
@@ -131,17 +133,18 @@ class Supervisor:
     def _on_link(self, link: int) -> None:
         self._link = link
         self._hung_at = None
+        self._was_live = self._was_live or (link == pb.LINK_STATE_LIVE and self._process is not None)
         if link == pb.LINK_STATE_LOST and self._process is not None:
             self._hung_at = time.monotonic() + HUNG_AFTER_S
-        if link == pb.LINK_STATE_LOST and self._process is None and self._spawn_at is None:
-            self._spawn_at = time.monotonic()
+        if link == pb.LINK_STATE_LOST and self._process is None:
+            self._spawn_at = min(self._spawn_at or math.inf, time.monotonic())
 
     def _on_exit(self, ended: _Exit) -> None:
         if ended.process is not self._process:
             return
         self._process, self._hung_at = None, None
         self.record.unlink(missing_ok=True)
-        young = time.monotonic() - self._started_at < YOUNG_S
+        young = time.monotonic() - self._started_at < YOUNG_S and not self._was_live
         self._early_deaths = self._early_deaths + 1 if young and not ended.process.adopted else 0
         wait_s = BACK_OFF_S[min(self._early_deaths, len(BACK_OFF_S) - 1)]
         self._spawn_at = time.monotonic() + wait_s
@@ -177,7 +180,7 @@ class Supervisor:
         )
 
     def _watch(self, process: NodeProcess) -> None:
-        self._process = process
+        self._process, self._was_live = process, False
         self._started_at = time.monotonic()
         threading.Thread(
             target=lambda: self._inbox.put(_Exit(process, process.wait())), name="node-exit", daemon=True

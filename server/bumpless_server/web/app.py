@@ -14,14 +14,21 @@ from bumpless_server.web import errors
 from bumpless_server.web.auth import Auth, session_cookie
 from bumpless_server.web.body_limit import BodyLimit
 from bumpless_server.web.guard import Guard
+from bumpless_server.web.guesses import Guesses
 from bumpless_server.web.routes import (
     alarms,
     compare,
     declared,
+    diagnostics,
+    exchange,
+    findings,
+    foresight,
     help,
+    library,
     missions,
     page,
     parameters,
+    planning,
     replay,
     runs,
     shelf,
@@ -33,7 +40,24 @@ log = logging.getLogger(__name__)
 
 ROUTERS = tuple(
     part.router
-    for part in (status, alarms, compare, missions, parameters, declared, replay, runs, shelf, stream)
+    for part in (
+        status,
+        diagnostics,
+        alarms,
+        missions,
+        findings,
+        exchange,
+        library,
+        planning,
+        parameters,
+        declared,
+        compare,
+        replay,
+        runs,
+        shelf,
+        stream,
+        foresight,
+    )
 )
 
 
@@ -48,6 +72,7 @@ def create_app(settings: Settings, console: Console | None = None) -> FastAPI:
             if own:
                 await run_in_threadpool(console.start)
                 stack.push_async_callback(run_in_threadpool, console.stop)
+            stack.push_async_callback(console.foresight.stop)
             if app.state.scene is not None:
                 await _start(app.state.scene, stack)
             yield
@@ -56,7 +81,7 @@ def create_app(settings: Settings, console: Console | None = None) -> FastAPI:
     app.state.console = console
     app.state.auth = auth = Auth(settings, console.data.secret())
     app.add_middleware(BodyLimit, max_bytes=settings.upload_bytes)
-    app.add_middleware(Guard, auth=auth)
+    app.add_middleware(Guard, auth=auth, guesses=Guesses(console.tally.note))
     errors.install(app)
     for router in ROUTERS:
         app.include_router(router)

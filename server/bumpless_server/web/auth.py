@@ -93,10 +93,30 @@ class Auth:
         return kind.lower() == "bearer" and self.is_token(value.strip())
 
     def _host_is_ours(self, host: str) -> bool:
-        return self._any_host or (urlsplit(f"//{host}").hostname or "").lower() in self._names
+        return self._any_host or _host_name(host) in self._names
 
     def _is_same_origin(self, headers: Mapping[str, str]) -> bool:
         origin = headers.get("origin")
         if origin is None:  # not a browser, or an old one that says where it comes from otherwise
             return headers.get("sec-fetch-site", "none") in ("none", "same-origin")
-        return urlsplit(origin).netloc.lower() == headers.get("host", "").lower() != ""
+        return _netloc(origin) == headers.get("host", "").lower() != ""
+
+    def wrong_bearer(self, headers: Mapping[str, str]) -> bool:
+        """True when the request tries a token that is not ours."""
+        return bool(self._token) and "authorization" in headers and not self._has_bearer(headers)
+
+
+def _host_name(host: str) -> str:
+    """Name or address in a Host header; "" when it is none."""
+    try:
+        return (urlsplit(f"//{host}").hostname or "").lower()
+    except ValueError:
+        return ""
+
+
+def _netloc(origin: str) -> str:
+    """Host and port in an Origin header; "" when it is none."""
+    try:
+        return urlsplit(origin).netloc.lower()
+    except ValueError:
+        return ""

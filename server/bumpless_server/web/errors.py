@@ -1,5 +1,8 @@
 """One shape for every refusal: {"detail": one sentence, "problems": [...]} and a fitting status."""
 
+import errno
+import json
+import logging
 from collections.abc import Iterable, Mapping
 from typing import Any
 
@@ -10,8 +13,15 @@ from starlette.exceptions import HTTPException
 
 from bumpless.config.problems import Problem, ProblemsError
 from bumpless_server.files import BadName
-from bumpless_server.live.bus import NoAnswer
+from bumpless_server.live.ask import NoAnswer
+from bumpless_server.live.desk import Busy
+from bumpless_server.plan.drafts import TooManyDrafts
+from bumpless_server.plan.library import NoMission
 from bumpless_server.plan.missions import MissionExists
+
+log = logging.getLogger(__name__)
+
+FULL = (errno.ENOSPC, errno.EDQUOT)
 
 
 class Refusal(Exception):
@@ -27,7 +37,22 @@ class Refusal(Exception):
 def answer(status: int, detail: str, problems: Iterable[Mapping[str, Any]] = (), **more: Any) -> JSONResponse:
     """A refusal in the one shape that the console reads."""
     content = {"detail": detail, "problems": list(problems), **more}
-    return JSONResponse(content, status, media_type="application/problem+json" if status >= 400 else None)
+    return Answer(content, status, media_type="application/problem+json" if status >= 400 else None)
+
+
+class Answer(JSONResponse):
+    """JSON that any text of a request may stand in: half a surrogate pair is told as its escape."""
+
+    def render(self, content: Any) -> bytes:
+        text = json.dumps(content, ensure_ascii=False, separators=(",", ":"), default=str)
+        return text.encode("utf-8", "backslashreplace")
+
+
+def _shown(value: Any) -> Any:
+    """A value of a request as it may stand in an answer: short, and JSON."""
+    if value is None or isinstance(value, bool | int):
+        return value
+    return str(value)[:200] if isinstance(value, str | float) else repr(value)[:200]
 
 
 def install(app: FastAPI) -> None:
@@ -44,7 +69,9 @@ def install(app: FastAPI) -> None:
     @app.exception_handler(RequestValidationError)
     async def invalid(_request: Request, error: RequestValidationError) -> JSONResponse:
         problems = [
-            Problem("", None, None, ".".join(map(str, fault["loc"][1:])), fault.get("input"), fault["msg"])
+            Problem(
+                "", None, None, ".".join(map(str, fault["loc"][1:])), _shown(fault.get("input")), fault["msg"]
+            )
             for fault in error.errors()
         ]
         return answer(422, "the request is not valid", [problem.as_dict() for problem in problems])
@@ -63,6 +90,33 @@ def install(app: FastAPI) -> None:
     async def exists(_request: Request, error: MissionExists) -> JSONResponse:
         return answer(409, str(error))
 
+    @app.exception_handler(NoMission)
+    async def no_mission(_request: Request, error: NoMission) -> JSONResponse:
+        return answer(404, str(error))
+
+    @app.exception_handler(TooManyDrafts)
+    async def too_many_drafts(_request: Request, error: TooManyDrafts) -> JSONResponse:
+        return answer(409, str(error))
+
     @app.exception_handler(NoAnswer)
     async def no_answer(_request: Request, error: NoAnswer) -> JSONResponse:
+        return answer(503, str(error), accepted=False, reason=str(error))
+
+    @app.exception_handler(UnicodeError)
+    async def no_text(_request: Request, error: UnicodeError) -> JSONResponse:
+        return answer(422, "the request holds text that is no Unicode")
+
+    @app.exception_handler(OSError)
+    async def disk(_request: Request, error: OSError) -> JSONResponse:
+        log.error("a request failed on the disk: %s", error)
+        if error.errno in FULL:
+            return answer(507, "the disk has no room; nothing was kept")
+        return answer(500, f"the disk does not allow it: {error.strerror or 'no reason given'}")
+
+    @app.exception_handler(Exception)
+    async def unforeseen(_request: Request, error: Exception) -> JSONResponse:
+        return answer(500, "an internal error; the server's log tells more")
+
+    @app.exception_handler(Busy)
+    async def busy(_request: Request, error: Busy) -> JSONResponse:
         return answer(503, str(error), accepted=False, reason=str(error))

@@ -8,6 +8,7 @@ from starlette.datastructures import Headers, MutableHeaders
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from bumpless_server.web.auth import COOKIE, Auth
+from bumpless_server.web.guesses import Guesses
 
 PAGE = "/"
 OPEN_PATHS = frozenset({"/api/health"})  # for container health checks
@@ -27,8 +28,8 @@ LOGIN = """<!doctype html><html lang="en"><meta charset="utf-8"><title>Bumpless<
 class Guard:
     """Checks host, origin, session and token, and hands out the session cookie with the page."""
 
-    def __init__(self, app: ASGIApp, auth: Auth) -> None:
-        self._app, self._auth = app, auth
+    def __init__(self, app: ASGIApp, auth: Auth, guesses: Guesses) -> None:
+        self._app, self._auth, self._guesses = app, auth, guesses
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Serve, or refuse before the route sees anything."""
@@ -45,11 +46,18 @@ class Guard:
 
     async def _http(self, scope: Scope, receive: Receive, send: Send) -> None:
         headers, path = Headers(scope=scope), scope["path"]
+        address = (scope.get("client") or ("somebody", 0))[0]
+        tries = self._auth.wrong_bearer(headers) or (path == PAGE and b"token=" in scope["query_string"])
+        if tries and (wait_s := self._guesses.wait_s(address)):
+            await _refuse(send, 429, f"too many wrong tokens; try again in {wait_s:.0f} s")
+            return
+        if self._auth.wrong_bearer(headers):
+            self._guesses.wrong(address)
         is_page = path == PAGE and scope["method"] in ("GET", "HEAD")
         refusal = self._auth.refusal(scope["method"], headers)
         if refusal is not None and refusal[0] == 401:
             if is_page:
-                await self._log_in(scope, send)
+                await self._log_in(scope, send, address)
                 return
             if path in OPEN_PATHS:
                 refusal = None
@@ -69,13 +77,15 @@ class Guard:
 
         await self._app(scope, receive, send_more)
 
-    async def _log_in(self, scope: Scope, send: Send) -> None:
+    async def _log_in(self, scope: Scope, send: Send, address: str) -> None:
         """The page of a server with a token: ask for it, or take it and go to the console."""
         given = parse_qs(scope["query_string"].decode("latin-1")).get("token", [""])[0]
         if self._auth.is_token(given):
             # The redirect takes the token out of the address bar.
             await _answer(send, 303, b"", [("location", PAGE), ("set-cookie", self._cookie(scope))])
         else:
+            if given:
+                self._guesses.wrong(address)
             body = LOGIN.replace("asks for", "does not know that token; it asks for") if given else LOGIN
             await _answer(send, 401, body.encode(), [("content-type", "text/html; charset=utf-8")])
 

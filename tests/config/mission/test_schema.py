@@ -76,7 +76,22 @@ WHOLE: dict[str, Any] = {
     "seed": 3,
     "start": {"position_ned_m": [0, 0, 2], "heading_deg": 0, "speed_mps": 0.5},
     "legs": [{"to_ned_m": [20, 0, 2.5], "speed_mps": 0.7}],
-    "target": {"position_ned_m": [22, 0, 2.5], "heading_deg": 90, "standoff_m": 1.5},
+    "target": {
+        "position_ned_m": [22, 0, 2.5],
+        "heading_deg": 90,
+        "standoff_m": 3.0,
+        "dock": {
+            "entry_before_marker_m": 1.4,
+            "entry_radius_m": 0.4,
+            "tube_radius_m": 0.13,
+            "cone_length_m": 0.6,
+            "tube_length_m": 0.4,
+            "capture_depth_m": 0.85,
+            "friction": 0.1,
+        },
+        "motion": {"amplitude_ned_m": [0, 0.1, 0.1], "period_s": 8},
+    },
+    "actuator_flow": True,
     "environment": {
         "current_ned_mps": [0.1, 0, 0],
         "current_variation": {"std_mps": 0.01, "time_constant_s": 30},

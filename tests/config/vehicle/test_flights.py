@@ -71,13 +71,17 @@ def test_depth_by_pitch_without_heave() -> None:
     assert log["eta"][-1, 2] == pytest.approx(7.0, abs=0.35)
 
 
-def test_what_cannot_stop_passes_through_the_observation_point() -> None:
-    """Protects: the honest docking of such a vehicle: through a funnel's mouth, never below its speed."""
+def test_what_cannot_stop_docks_by_flying_into_a_funnel() -> None:
+    """Protects: the honest docking of such a vehicle: at speed into the mouth, and latched."""
     result = flight("remus100")
     assert result.phase == COMPLETED
     log = result.log
-    assert log["nu"][log["time"] > 10.0, 0].min() > 1.4
-    assert log["range_true"].min() < 0.4
+    outside = (log["time"] > 10.0) & (log["nose_depth"] < 0.0)
+    assert log["nu"][outside, 0].min() > 1.4
+    entered = int(np.argmax(log["nose_depth"] >= 0.0))
+    assert 0.0 < log["nose_offset"][entered] < 0.3
+    assert log["captured"][-1] == 1 and not log["u"][-1].any()
+    assert 100.0 < log["contact_force"].max() < log["contact_most"][0]
 
 
 def test_what_cannot_stop_circles_while_it_waits() -> None:

@@ -6,11 +6,12 @@ import numpy as np
 import pytest
 
 from bumpless.config.mission import parse_mission
+from bumpless.config.mission.model import Target
 from bumpless.contract.enums import APPROACH, BACK, COMPLETED, HOLD, HOVER, RUNNING
 from bumpless.sim.log import LOG
 from bumpless.sim.twin import Twin, simulate
 from bumpless_paper.study.docks import draw_case, fly_case, judge
-from bumpless_paper.study.docks.judge import inside_dock
+from bumpless_paper.study.docks.judge import hits, inside_dock
 
 FAR = """
 version: 1
@@ -54,7 +55,8 @@ def test_a_hull_in_the_dock_is_seen() -> None:
     log = np.zeros(4, LOG)
     log["eta"][:, 0] = (-0.9, -1.5, -0.9, -0.9)
     log["eta"][2, 1], log["eta"][3, 2] = 1.6, -1.3
-    assert inside_dock(log, np.zeros(4)).tolist() == [True, False, False, False]
+    target = Target((0.0, 0.0, 0.0), 0.0, 1.5)
+    assert inside_dock(log, np.zeros(4), target).tolist() == [True, False, False, False]
 
 
 def flown(twin: Twin, cycles: int) -> np.ndarray:
@@ -139,7 +141,7 @@ def test_a_lost_target_is_backed_away_from_and_docked_at_on_the_second_try(ts100
     assert told == ["approach_begun", "waved_off", "approach_begun", "gate_passed", "station_held", story[-1]]
     back = result.log[result.log["stage"] == BACK]
     assert back["along_track"].min() > 3.0  # braking costs some way; the dock is far
-    assert not inside_dock(result.log, result.log["approach"]).any()
+    assert not hits(result.log, docking.target).any()
 
 
 def test_what_cannot_be_held_is_given_up_and_held_clear_of(ts100, docking) -> None:
@@ -153,7 +155,7 @@ def test_what_cannot_be_held_is_given_up_and_held_clear_of(ts100, docking) -> No
     assert len(events) == 1 and "current" in events[0].text
     log = flown(twin, 2400)
     assert twin.phase == COMPLETED and (log["stage"] == HOLD).all()
-    assert not inside_dock(log, log["approach"]).any()
+    assert not hits(log, docking.target).any()
     assert log["along_track"].min() > 6.0
 
 
@@ -165,4 +167,4 @@ def test_when_time_is_over_the_vehicle_holds_clear_of_the_dock(ts100, docking) -
         twin.step()
     log = flown(twin, 2400)
     assert (log["stage"] == HOLD).all() and log["along_track"][-1] > 5.0
-    assert not inside_dock(log, log["approach"]).any()
+    assert not hits(log, docking.target).any()

@@ -58,7 +58,7 @@ def watch(
     fill_settings(settings, vehicle, parameters)
     onboard["model"] = world["model"] = build_model(vehicle)
     world["truth"] = truth_of(mission, vehicle)[0]
-    onboard["plan"] = plan_of(mission, vehicle.control_period_s)[0]
+    onboard["plan"] = plan_of(mission, vehicle)[0]
     onboard["sensors"] = world["sensors"] = sensors_of(vehicle, mission)[0]
     truth["faults"]["n"], truth["errors"]["noise_scale"] = len(faults), noise_scale
     for f, (actuator, at, effectiveness) in enumerate(faults):

@@ -18,7 +18,7 @@ from bumpless_paper.report.parts import PARTS, run_part, wanted_parts
 from bumpless_paper.report.parts.extensions import effect
 from bumpless_paper.report.parts.tradeoff import best
 from bumpless_paper.report.plot import POINTS, panel_svg, thinned
-from bumpless_paper.report.results import BEGIN, END, results_text, with_results
+from bumpless_paper.report.results import BEGIN, END, renewed, results_text, with_results
 from bumpless_paper.report.shortfalls import CAUSES, shortfalls
 from bumpless_paper.report.solid import solid_svg
 from bumpless_paper.report.summary import summary_html
@@ -139,6 +139,17 @@ def test_steps_of_table_a5_are_taken_at_1_hz_near_the_switch() -> None:
         REVERSE: 400,
     }
     assert about_mean(np.array([1.0, 3.0])) == pytest.approx(1.0)
+
+
+def test_some_parts_can_be_renewed_alone() -> None:
+    """Protects: `--only` renews its parts and leaves the others, in the order of the page; none is lost."""
+    old = {"software_version": "1", "parts": {"tank": {"n": 1}, "table6": {"n": 1}, "gone": {}}}
+    new = renewed(old, {"software_version": "2", "parts": {"table3": {"n": 2}, "tank": {"n": 2}}})
+    assert new == {
+        "software_version": "2",
+        "parts": {"table3": {"n": 2}, "table6": {"n": 1}, "tank": {"n": 2}},
+    }
+    assert list(new["parts"]) == ["table3", "table6", "tank"]
 
 
 def test_the_results_page_holds_the_numbers_behind_it() -> None:

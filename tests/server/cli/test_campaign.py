@@ -25,6 +25,7 @@ draw:
   current_relative_deg: {{uniform: [0, 360]}}
   lag: {{loguniform: [0.5, 2]}}
 """
+FLIGHTS = 200  # so many that a kill finds some of them undone
 BUMPLESS = (sys.executable, "-m", "bumpless_server.cli.main")
 
 
@@ -35,8 +36,8 @@ def command(*words: str, folder: Path) -> subprocess.CompletedProcess[str]:
 
 @pytest.fixture
 def folder(tmp_path):
-    """A folder with a campaign of 80 flights."""
-    (tmp_path / "small.yaml").write_text(TEXT.format(count=80))
+    """A folder with a campaign of FLIGHTS."""
+    (tmp_path / "small.yaml").write_text(TEXT.format(count=FLIGHTS))
     return tmp_path
 
 
@@ -74,13 +75,13 @@ def test_killed_and_resumed(folder, signal_):
     assert (again.returncode, "--resume" in again.stderr) == (1, True)
     done = command("campaign", "small.yaml", "--workers", "1", "--resume", "--json", folder=folder)
     assert done.returncode == 0, done.stderr
-    assert json.loads(done.stdout)["flights"] == 80
+    assert json.loads(done.stdout)["flights"] == FLIGHTS
     assert parts(folder) > stored
     prepared = load_campaign(folder / "small.yaml")
     with opened(folder / "campaign-small", prepared, True) as kept:
         table = kept.table()
-    assert table.column("number").to_pylist() == list(range(80))
-    chosen = [0, 37, 79]
+    assert table.column("number").to_pylist() == list(range(FLIGHTS))
+    chosen = [0, 37, FLIGHTS - 1]
     assert repr(table.take(chosen).to_pylist()) == repr(FlyNumbers(prepared)(chosen))
 
 
@@ -94,16 +95,9 @@ def test_a_flight_is_flown_again_by_its_number(tmp_path):
     said = json.loads(done.stdout)
     assert said["seed"] == row["seed"]
     assert (tmp_path / "f.mcap").stat().st_size > 0
-    from bumpless.campaign.outcome import Judge
-    from bumpless.campaign.replay import replayed
-    from bumpless.sim.twin import simulate
-
-    mission, vehicle, parameters, alteration = replayed(prepared, 3)
-    log = simulate(mission, vehicle, parameters, alter=alteration).log
-    decided = Judge(mission, vehicle, prepared.campaign.docked).look(log)
-    ended = log[decided.rows - 1 if decided else -1]
-    assert ended["time"] == row["time_s"]
-    assert ended["range"] == pytest.approx(said["metrics"]["final_range_m"]) or decided
+    assert said["outcome"]["ending"] == row["outcome"]
+    assert said["outcome"]["reason"] == row["reason"]
+    assert said["metrics"]["shaft_energy_j"] == row["energy_j"]
 
 
 def test_refusals_are_lines(tmp_path):

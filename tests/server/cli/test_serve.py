@@ -131,6 +131,26 @@ def test_it_says_its_address_and_ends_cleanly_with_a_browser_open(
         assert not node.is_running()
 
 
+def test_it_ends_when_the_reader_of_its_words_is_gone(make_settings: Callable[..., Settings]) -> None:
+    """Protects: `serve 2>&1 | tee log` did not end on Ctrl-C: tee ends first."""
+    settings = make_settings()
+    process = subprocess.Popen(
+        RUN, env=environment(settings), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
+    )
+    try:
+        running = Server(process)
+        running.until_said("tlm/mission", pb.MissionStatus, lambda _: True)
+        node = psutil.Process(node_pid(settings))
+        assert process.stdout is not None
+        process.stdout.close()
+        process.send_signal(signal.SIGINT)
+        assert process.wait(PATIENCE_S) == 0
+        assert not node.is_running()
+    finally:
+        process.kill()
+        process.wait()
+
+
 def fault_of(settings: Settings, **more: str) -> str:
     ended = subprocess.run(
         RUN,

@@ -3,6 +3,7 @@
 import pytest
 
 from bumpless.contract import bumpless_pb2 as pb
+from bumpless_server.live.freshness import stale_after_s
 from bumpless_server.live.link import LOST_WITHOUT_TOKEN_S, STALE_AFTER_S, Link
 
 
@@ -39,3 +40,13 @@ def test_a_bus_that_filters_liveliness_still_loses_a_silent_vehicle() -> None:
     assert link.state(STALE_AFTER_S) == pb.LINK_STATE_STALE
     assert link.next_change_s(STALE_AFTER_S) == pytest.approx(LOST_WITHOUT_TOKEN_S - STALE_AFTER_S)
     assert link.state(LOST_WITHOUT_TOKEN_S) == pb.LINK_STATE_LOST
+
+
+def test_a_slow_vehicle_is_given_its_time() -> None:
+    """Protects: telemetry at 1 Hz flapped between live and stale; it is late by its own period."""
+    link = Link(stale_after_s=stale_after_s(1.0))
+    link.token(True)
+    link.heard(0.0)
+    assert link.state(1.5) == pb.LINK_STATE_LIVE
+    assert link.state(2.5) == pb.LINK_STATE_STALE
+    assert stale_after_s(0.05) == STALE_AFTER_S

@@ -18,6 +18,7 @@ from bumpless_server.scene.scene import Scene
 from bumpless_server.settings import load_settings
 from bumpless_server.web.auth import Auth, session_cookie
 from bumpless_server.web.guard import Guard
+from bumpless_server.web.guesses import Guesses
 
 
 @dataclass
@@ -58,7 +59,7 @@ def serve(**options: Any) -> Iterator[Served]:
     app = FastAPI(lifespan=lifespan)
     app.include_router(scene.router)
     app.add_api_route("/", lambda: HTMLResponse("<title>console</title>"), response_class=HTMLResponse)
-    guarded = Guard(app, Auth(load_settings(), b"test"))
+    guarded = Guard(app, Auth(load_settings(), b"test"), Guesses(lambda *_: None))
     config = uvicorn.Config(
         guarded, port=0, log_level="warning", ws_per_message_deflate=False, timeout_graceful_shutdown=2
     )

@@ -2,22 +2,21 @@
 
 from typing import TYPE_CHECKING
 
-from bumpless.campaign.flight import ENDING
+from bumpless.campaign.figures import NUMBERS
 from bumpless.campaign.prepared import Prepared
 from bumpless.campaign.quantities import NAMES
-from bumpless.campaign.tracking import COST, TRACKING
 
 if TYPE_CHECKING:
     import pyarrow as pa
 
-TEXTS = ("mission", "outcome", "reason")
+TEXTS = ("mission", "outcome", "why", "reason")
 
 
 def schema_of(prepared: Prepared) -> "pa.Schema":
-    """Number and seed, how it ended, tracking by mode, cost, and a column `draw_...` per drawn quantity."""
+    """Number and seed, how it ended, its figures, and a column `draw_...` per drawn quantity."""
     import pyarrow as pa
 
-    numbers = ("current_mps", "current_relative_deg", *ENDING, *TRACKING, *COST)
+    numbers = ("current_mps", "current_relative_deg", *NUMBERS)
     fields = [("number", pa.int64()), ("seed", pa.int64())]
     fields += [(name, pa.string()) for name in TEXTS]
     fields += [(name, pa.float64()) for name in numbers]

@@ -11,7 +11,7 @@ from bumpless.config.declare import Entries, Number, Overrides, Part, Switch, Te
 from bumpless.config.declare.notes import in_words
 from bumpless.config.mission.model import short_name
 from bumpless.config.parameters import Parameters
-from bumpless.metrics.outcome import HEADING_DEG, HOLD_S, POSITION_M, SPEED_MPS
+from bumpless.metrics.outcome import DOCKED, Limits
 
 VERSION = 1
 MOST = 10_000_000  # flights
@@ -50,13 +50,21 @@ def weight(label: str) -> Number:
 
 @model
 class Docked:
-    """What counts as docked: in hover, this close to the true observation point, for so long."""
+    """What counts as docked: in hover, this close to the true observation point, for so long at the end."""
 
-    range_m: Annotated[float, Number("Distance over three axes", "m", above=0.0)] = POSITION_M
-    heading_deg: Annotated[float, Number("Angle off the approach heading", "deg", above=0.0)] = HEADING_DEG
-    speed_mps: Annotated[float, Number("Speed over ground", "m/s", above=0.0)] = SPEED_MPS
-    hold_s: Annotated[float, Number("How long without a break", "s", above=0.0)] = HOLD_S
-    touch_m: Annotated[float, Number("The nose closer to the marker than this collides", "m", 0.0)] = 0.3
+    range_m: Annotated[float, Number("Distance over three axes", "m", above=0.0)] = DOCKED.position_m
+    heading_deg: Annotated[float, Number("Angle off the approach heading", "deg", above=0.0)] = (
+        DOCKED.heading_deg
+    )
+    speed_mps: Annotated[float, Number("Speed over ground", "m/s", above=0.0)] = DOCKED.speed_mps
+    hold_s: Annotated[float, Number("How long without a break, up to the flight's end", "s", above=0.0)] = (
+        DOCKED.hold_s
+    )
+
+    @property
+    def limits(self) -> Limits:
+        """For the judge of runs."""
+        return Limits(self.range_m, self.heading_deg, self.speed_mps, self.hold_s)
 
 
 @model

@@ -6,18 +6,16 @@ from typing import Any
 import numpy as np
 
 from bumpless.campaign.drawn import OF_SENSORS, drawn_mission, drawn_vehicle, relative_current
-from bumpless.campaign.geometry import believed_errors, nose_clearance, true_errors
-from bumpless.campaign.outcome import Decided, Judge
+from bumpless.campaign.figures import figures
 from bumpless.campaign.plant import Alteration
 from bumpless.campaign.prepared import Prepared
 from bumpless.campaign.ready import ready
-from bumpless.campaign.tracking import cost, tracking
-from bumpless.config.mission import Mission
 from bumpless.config.parameters import Parameters
 from bumpless.config.vehicle import Vehicle
+from bumpless.metrics import Columns, figures_of
 from bumpless.sim.twin import Twin, new_log
 
-BLOCK = 200  # cycles between two looks at whether the flight is decided
+BLOCK = 1024  # cycles per compiled call
 
 Row = dict[str, Any]
 
@@ -58,60 +56,35 @@ class FlyNumbers:
 
 
 def fly_number(prepared: Prepared, number: int, hangar: Hangar) -> Row:
-    """The row of flight `number`."""
+    """The row of flight `number`, judged as every run is."""
     setup, values, seed = prepared.setup(number), prepared.values(number), prepared.seed(number)
     mission = drawn_mission(setup.mission, values)
     twin = hangar.twin(setup.vehicle, setup.parameters, values)
     vehicle = twin.vehicle
     twin.start(mission, seed, setup.parameters, Alteration.of(values))
-    judge = Judge(mission, vehicle, prepared.campaign.docked)
-    log, decided = _flown(twin, judge, hangar.log(twin.cycles))
+    log = flown(twin, hangar.log(twin.cycles))
     twin.drain_events()
+    columns = Columns.from_log(log, len(vehicle.commands)).as_told([c.unit for c in vehicle.commands])
+    limits = prepared.campaign.docked.limits
+    metrics, outcome = figures_of(columns, vehicle, mission, "completed", limits=limits)
     speed, toward = relative_current(mission)
     return {
         "number": number,
         "seed": seed,
         "mission": mission.name,
-        "outcome": decided.outcome.value,
-        "reason": decided.reason,
+        "outcome": outcome.ending.value,
+        "why": outcome.why,
+        "reason": outcome.reason,
         "current_mps": speed,
         "current_relative_deg": toward,
-        **_ending(log, mission, vehicle),
-        **tracking(log),
-        **cost(log, vehicle),
+        **figures(metrics, outcome),
         **{f"draw_{name}": value for name, value in values.items()},
     }
 
 
-def _flown(twin: Twin, judge: Judge, log: np.ndarray) -> tuple[np.ndarray, Decided]:
-    """The rows up to where the flight is decided, or to its end."""
+def flown(twin: Twin, log: np.ndarray) -> np.ndarray:
+    """The rows of the flight that begins now, to its end."""
     begun, filled = twin.phase, 0
     while filled < len(log) and twin.phase == begun:
         filled += twin.fly(log[filled : filled + BLOCK])
-        decided = judge.look(log[:filled])
-        if decided is not None:
-            return log[: decided.rows], decided
-    return log[:filled], judge.over(log[:filled])
-
-
-ENDING = (
-    "time_s", "closest_m", "nose_clearance_m",
-    "end_range_m", "end_depth_m", "end_heading_deg", "end_speed_mps",
-    "believed_range_m", "believed_depth_m", "believed_heading_deg", "believed_speed_mps",
-)  # fmt: skip
-
-
-def _ending(log: np.ndarray, mission: Mission, vehicle: Vehicle) -> Row:
-    """When it ended, how close it came, and its true and believed errors there."""
-    true = true_errors(log, mission)
-    believed = believed_errors(log[-1:], mission)
-    values = [float(log["time"][-1]), float(true.range.min())]
-    values.append(float(nose_clearance(log, mission, vehicle).min()))
-    for errors in (true, believed):
-        values += [
-            float(errors.range[-1]),
-            float(errors.depth[-1]),
-            float(np.degrees(errors.heading[-1])),
-            float(errors.speed[-1]),
-        ]
-    return dict(zip(ENDING, values, strict=True))
+    return log[:filled]

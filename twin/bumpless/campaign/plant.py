@@ -21,6 +21,7 @@ class Alteration:
     drag_cross: float = 1.0
     lag: float = 1.0
     rate: float = 1.0
+    fin_slew: float = 1.0
     fin_lift: float = 1.0
     thrust: float = 1.0
 
@@ -41,6 +42,7 @@ class Alteration:
             model[name][0, 0] = axial * self.drag_axial
         model["time_constant"] *= self.lag
         model["command_rate"] *= self.rate
+        model["command_rate"][model["C_La"] > 0.0] *= self.fin_slew
         for name in ("T_nn", "T_nn_reverse", "T_nv"):
             model[name] *= self.thrust
         model["C_La"] *= self.fin_lift

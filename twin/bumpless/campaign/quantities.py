@@ -70,6 +70,7 @@ QUANTITIES: dict[str, Quantity] = {
     "drag_cross": _factor("every other damping and lift of the body"),
     "lag": _factor("every actuator's time constant"),
     "rate": _factor("every actuator's fastest change"),
+    "fin_slew": _factor("the fins' fastest deflection"),
     "fin_lift": _factor("the fins' lift", 0.0),
     "thrust": _factor("the screws' thrust", 0.0),
 }

@@ -1,6 +1,8 @@
 """What a campaign found, in numbers: shares with their intervals, the figures' spread, the worst flights."""
 
 from dataclasses import asdict, dataclass
+from math import sqrt
+from statistics import NormalDist
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -17,8 +19,9 @@ SEVERITY = (  # worst first
     Ending.DOCKED,
 )  # fmt: skip
 FIGURES = (
-    "time_s", "end_range_m", "end_heading_deg", "end_speed_mps", "largest_step", "energy_j",
-    "forward_depth_m_rms", "reverse_depth_m_rms", "hover_depth_m_rms", "hover_heading_deg_rms",
+    "duration_s", "end_range_m", "end_heading_deg", "end_speed_mps", "largest_step", "energy_j",
+    "wrench_error_rms", "forward_depth_m_rms", "reverse_depth_m_rms", "hover_depth_m_rms",
+    "hover_heading_deg_rms",
 )  # fmt: skip
 
 
@@ -34,13 +37,16 @@ class Share:
 
 
 def share_of(count: int, total: int) -> Share:
-    """Source: Wilson 1927, J. Am. Stat. Assoc. 22, by SciPy. No flights: anything between 0 and 1."""
-    from scipy.stats import binomtest
+    """Score interval. Source: Wilson 1927, J. Am. Stat. Assoc. 22. No flights: anything between 0 and 1.
 
+    SciPy has it too, but its import costs as much as a hundred flights.
+    """
     if total == 0:
         return Share(0, 0, float("nan"), 0.0, 1.0)
-    interval = binomtest(count, total).proportion_ci(CONFIDENCE, "wilson")
-    return Share(count, total, count / total, float(interval.low), float(interval.high))
+    z, p = NormalDist().inv_cdf(0.5 + 0.5 * CONFIDENCE), count / total
+    middle = (p + z * z / (2 * total)) / (1 + z * z / total)
+    half = z / (1 + z * z / total) * sqrt(p * (1 - p) / total + (z / (2 * total)) ** 2)
+    return Share(count, total, p, max(0.0, middle - half), min(1.0, middle + half))
 
 
 @dataclass(frozen=True)
@@ -73,7 +79,7 @@ class Summary:
 def summary_of(table: "pa.Table") -> Summary:
     """Summary of a table of flights."""
     outcomes = np.array(table.column("outcome").to_pylist(), dtype=object)
-    reasons = table.column("reason").to_pylist()
+    reasons = table.column("why").to_pylist()
     counts: dict[str, int] = {}
     for outcome, reason in zip(outcomes, reasons, strict=True):
         text = f"{outcome}: {reason}"
@@ -92,8 +98,8 @@ def summary_of(table: "pa.Table") -> Summary:
 
 def worst_of(table: "pa.Table", most: int = WORST) -> list[dict[str, Any]]:
     """The worst flights that did not dock: by how they ended, then the farther away the worse."""
-    kept = ["number", "seed", "outcome", "reason", "current_mps", "current_relative_deg", "time_s",
-            "end_range_m", "end_heading_deg", "end_speed_mps", "nose_clearance_m"]  # fmt: skip
+    kept = ["number", "seed", "outcome", "reason", "current_mps", "current_relative_deg", "duration_s",
+            "end_range_m", "end_heading_deg", "end_speed_mps", "closest_m"]  # fmt: skip
     rows = [row for row in table.select(kept).to_pylist() if row["outcome"] != "docked"]
     rows.sort(key=lambda row: (SEVERITY.index(row["outcome"]), -row["end_range_m"], row["number"]))
     return rows[:most]

@@ -137,11 +137,18 @@ class YamlText:
 
     def refuse(self, path: str, value: Any, rule: str) -> None:
         """Add a problem at the place of `path`, or of the nearest part around it."""
-        around = path
-        while around not in self.places:
-            around = around[: max(around.rfind("."), around.rfind("["), 0)]
+        around = self._around(path)
         value = "null" if value is None and around == path != "" else shown(value)
         self.problems.append(Problem(self.source, *self.places[around], path, value, rule))
+
+    def place_of(self, path: str) -> tuple[int, int]:
+        """(line, column), both 1-based, of `path`, or of the nearest part around it."""
+        return self.places[self._around(path)]
+
+    def _around(self, path: str) -> str:
+        while path not in self.places:
+            path = path[: max(path.rfind("."), path.rfind("["), 0)]
+        return path
 
 
 def _place(mark: Any) -> tuple[int, int]:

@@ -47,6 +47,8 @@ class DockingStage(int, metaclass=_enum_type_wrapper.EnumTypeWrapper):
     DOCKING_STAGE_APPROACH: _ClassVar[DockingStage]
     DOCKING_STAGE_BACK: _ClassVar[DockingStage]
     DOCKING_STAGE_HOLD: _ClassVar[DockingStage]
+    DOCKING_STAGE_CREEP: _ClassVar[DockingStage]
+    DOCKING_STAGE_CAPTURED: _ClassVar[DockingStage]
 
 class WaveOffReason(int, metaclass=_enum_type_wrapper.EnumTypeWrapper):
     __slots__ = ()
@@ -61,6 +63,16 @@ class WaveOffReason(int, metaclass=_enum_type_wrapper.EnumTypeWrapper):
     WAVE_OFF_REASON_TOO_SLOW: _ClassVar[WaveOffReason]
     WAVE_OFF_REASON_CURRENT: _ClassVar[WaveOffReason]
     WAVE_OFF_REASON_TIME_OVER: _ClassVar[WaveOffReason]
+
+class RefusalCause(int, metaclass=_enum_type_wrapper.EnumTypeWrapper):
+    __slots__ = ()
+    REFUSAL_CAUSE_UNSPECIFIED: _ClassVar[RefusalCause]
+    REFUSAL_CAUSE_LATE: _ClassVar[RefusalCause]
+    REFUSAL_CAUSE_BUSY: _ClassVar[RefusalCause]
+    REFUSAL_CAUSE_OVERTAKEN: _ClassVar[RefusalCause]
+    REFUSAL_CAUSE_STALE_REVISION: _ClassVar[RefusalCause]
+    REFUSAL_CAUSE_NO_HEADER: _ClassVar[RefusalCause]
+    REFUSAL_CAUSE_NOT_ADDRESSED: _ClassVar[RefusalCause]
 
 class Ending(int, metaclass=_enum_type_wrapper.EnumTypeWrapper):
     __slots__ = ()
@@ -106,6 +118,8 @@ DOCKING_STAGE_ENTRY: DockingStage
 DOCKING_STAGE_APPROACH: DockingStage
 DOCKING_STAGE_BACK: DockingStage
 DOCKING_STAGE_HOLD: DockingStage
+DOCKING_STAGE_CREEP: DockingStage
+DOCKING_STAGE_CAPTURED: DockingStage
 WAVE_OFF_REASON_UNSPECIFIED: WaveOffReason
 WAVE_OFF_REASON_TARGET_LOST: WaveOffReason
 WAVE_OFF_REASON_OFF_LINE: WaveOffReason
@@ -117,6 +131,13 @@ WAVE_OFF_REASON_NOT_SEEN: WaveOffReason
 WAVE_OFF_REASON_TOO_SLOW: WaveOffReason
 WAVE_OFF_REASON_CURRENT: WaveOffReason
 WAVE_OFF_REASON_TIME_OVER: WaveOffReason
+REFUSAL_CAUSE_UNSPECIFIED: RefusalCause
+REFUSAL_CAUSE_LATE: RefusalCause
+REFUSAL_CAUSE_BUSY: RefusalCause
+REFUSAL_CAUSE_OVERTAKEN: RefusalCause
+REFUSAL_CAUSE_STALE_REVISION: RefusalCause
+REFUSAL_CAUSE_NO_HEADER: RefusalCause
+REFUSAL_CAUSE_NOT_ADDRESSED: RefusalCause
 ENDING_UNSPECIFIED: Ending
 ENDING_DOCKED: Ending
 ENDING_HELD: Ending
@@ -222,7 +243,7 @@ class Guidance(_message.Message):
     def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., surge_speed_reference_mps: _Optional[float] = ..., depth_reference_m: _Optional[float] = ..., attitude_reference: _Optional[_Union[Attitude, _Mapping]] = ..., cross_track_error_m: _Optional[float] = ..., along_track_error_m: _Optional[float] = ..., leg: _Optional[int] = ..., leg_count: _Optional[int] = ..., sway_speed_reference_mps: _Optional[float] = ...) -> None: ...
 
 class Supervisor(_message.Message):
-    __slots__ = ("stamp", "mode", "previous_mode", "range_m", "detection_raw", "detection", "kappa", "time_in_mode_s", "dwell_remaining_s", "range_rh_lower_m", "range_rh_upper_m", "range_fr_lower_m", "range_fr_upper_m", "range_hf_upper_m", "phase", "docking_stage", "docking_tries", "docking_tries_most", "wave_off_reason", "approach_heading_deg", "fix_age_s", "flown")
+    __slots__ = ("stamp", "mode", "previous_mode", "range_m", "detection_raw", "detection", "kappa", "time_in_mode_s", "dwell_remaining_s", "range_rh_lower_m", "range_rh_upper_m", "range_fr_lower_m", "range_fr_upper_m", "range_hf_upper_m", "phase", "docking_stage", "docking_tries", "docking_tries_most", "wave_off_reason", "approach_heading_deg", "fix_age_s", "captured", "flown")
     STAMP_FIELD_NUMBER: _ClassVar[int]
     MODE_FIELD_NUMBER: _ClassVar[int]
     PREVIOUS_MODE_FIELD_NUMBER: _ClassVar[int]
@@ -244,6 +265,7 @@ class Supervisor(_message.Message):
     WAVE_OFF_REASON_FIELD_NUMBER: _ClassVar[int]
     APPROACH_HEADING_DEG_FIELD_NUMBER: _ClassVar[int]
     FIX_AGE_S_FIELD_NUMBER: _ClassVar[int]
+    CAPTURED_FIELD_NUMBER: _ClassVar[int]
     FLOWN_FIELD_NUMBER: _ClassVar[int]
     stamp: Stamp
     mode: Mode
@@ -266,8 +288,9 @@ class Supervisor(_message.Message):
     wave_off_reason: WaveOffReason
     approach_heading_deg: float
     fix_age_s: float
+    captured: bool
     flown: Mode
-    def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., mode: _Optional[_Union[Mode, str]] = ..., previous_mode: _Optional[_Union[Mode, str]] = ..., range_m: _Optional[float] = ..., detection_raw: _Optional[bool] = ..., detection: _Optional[bool] = ..., kappa: _Optional[float] = ..., time_in_mode_s: _Optional[float] = ..., dwell_remaining_s: _Optional[float] = ..., range_rh_lower_m: _Optional[float] = ..., range_rh_upper_m: _Optional[float] = ..., range_fr_lower_m: _Optional[float] = ..., range_fr_upper_m: _Optional[float] = ..., range_hf_upper_m: _Optional[float] = ..., phase: _Optional[_Union[MissionPhase, str]] = ..., docking_stage: _Optional[_Union[DockingStage, str]] = ..., docking_tries: _Optional[int] = ..., docking_tries_most: _Optional[int] = ..., wave_off_reason: _Optional[_Union[WaveOffReason, str]] = ..., approach_heading_deg: _Optional[float] = ..., fix_age_s: _Optional[float] = ..., flown: _Optional[_Union[Mode, str]] = ...) -> None: ...
+    def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., mode: _Optional[_Union[Mode, str]] = ..., previous_mode: _Optional[_Union[Mode, str]] = ..., range_m: _Optional[float] = ..., detection_raw: _Optional[bool] = ..., detection: _Optional[bool] = ..., kappa: _Optional[float] = ..., time_in_mode_s: _Optional[float] = ..., dwell_remaining_s: _Optional[float] = ..., range_rh_lower_m: _Optional[float] = ..., range_rh_upper_m: _Optional[float] = ..., range_fr_lower_m: _Optional[float] = ..., range_fr_upper_m: _Optional[float] = ..., range_hf_upper_m: _Optional[float] = ..., phase: _Optional[_Union[MissionPhase, str]] = ..., docking_stage: _Optional[_Union[DockingStage, str]] = ..., docking_tries: _Optional[int] = ..., docking_tries_most: _Optional[int] = ..., wave_off_reason: _Optional[_Union[WaveOffReason, str]] = ..., approach_heading_deg: _Optional[float] = ..., fix_age_s: _Optional[float] = ..., captured: _Optional[bool] = ..., flown: _Optional[_Union[Mode, str]] = ...) -> None: ...
 
 class Guard(_message.Message):
     __slots__ = ("name", "value", "limit", "at_least", "met", "unit")
@@ -588,7 +611,7 @@ class Event(_message.Message):
     def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., severity: _Optional[_Union[Severity, str]] = ..., code: _Optional[str] = ..., text: _Optional[str] = ..., details: _Optional[_Mapping[str, str]] = ...) -> None: ...
 
 class TruthState(_message.Message):
-    __slots__ = ("stamp", "position_ned_m", "attitude", "velocity_body_mps", "angular_rate_body_degps", "actuator_wrench", "current_ned_mps", "effectiveness", "target_position_ned_m")
+    __slots__ = ("stamp", "position_ned_m", "attitude", "velocity_body_mps", "angular_rate_body_degps", "actuator_wrench", "current_ned_mps", "effectiveness", "target_position_ned_m", "contact_force_n", "contact_force_most_n", "nose_depth_m", "nose_offset_m")
     STAMP_FIELD_NUMBER: _ClassVar[int]
     POSITION_NED_M_FIELD_NUMBER: _ClassVar[int]
     ATTITUDE_FIELD_NUMBER: _ClassVar[int]
@@ -598,6 +621,10 @@ class TruthState(_message.Message):
     CURRENT_NED_MPS_FIELD_NUMBER: _ClassVar[int]
     EFFECTIVENESS_FIELD_NUMBER: _ClassVar[int]
     TARGET_POSITION_NED_M_FIELD_NUMBER: _ClassVar[int]
+    CONTACT_FORCE_N_FIELD_NUMBER: _ClassVar[int]
+    CONTACT_FORCE_MOST_N_FIELD_NUMBER: _ClassVar[int]
+    NOSE_DEPTH_M_FIELD_NUMBER: _ClassVar[int]
+    NOSE_OFFSET_M_FIELD_NUMBER: _ClassVar[int]
     stamp: Stamp
     position_ned_m: Vector3
     attitude: Attitude
@@ -607,7 +634,11 @@ class TruthState(_message.Message):
     current_ned_mps: Vector3
     effectiveness: _containers.RepeatedScalarFieldContainer[float]
     target_position_ned_m: Vector3
-    def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., position_ned_m: _Optional[_Union[Vector3, _Mapping]] = ..., attitude: _Optional[_Union[Attitude, _Mapping]] = ..., velocity_body_mps: _Optional[_Union[Vector3, _Mapping]] = ..., angular_rate_body_degps: _Optional[_Union[Vector3, _Mapping]] = ..., actuator_wrench: _Optional[_Union[Wrench, _Mapping]] = ..., current_ned_mps: _Optional[_Union[Vector3, _Mapping]] = ..., effectiveness: _Optional[_Iterable[float]] = ..., target_position_ned_m: _Optional[_Union[Vector3, _Mapping]] = ...) -> None: ...
+    contact_force_n: float
+    contact_force_most_n: float
+    nose_depth_m: float
+    nose_offset_m: float
+    def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., position_ned_m: _Optional[_Union[Vector3, _Mapping]] = ..., attitude: _Optional[_Union[Attitude, _Mapping]] = ..., velocity_body_mps: _Optional[_Union[Vector3, _Mapping]] = ..., angular_rate_body_degps: _Optional[_Union[Vector3, _Mapping]] = ..., actuator_wrench: _Optional[_Union[Wrench, _Mapping]] = ..., current_ned_mps: _Optional[_Union[Vector3, _Mapping]] = ..., effectiveness: _Optional[_Iterable[float]] = ..., target_position_ned_m: _Optional[_Union[Vector3, _Mapping]] = ..., contact_force_n: _Optional[float] = ..., contact_force_most_n: _Optional[float] = ..., nose_depth_m: _Optional[float] = ..., nose_offset_m: _Optional[float] = ...) -> None: ...
 
 class StartMission(_message.Message):
     __slots__ = ("file_name", "mission_yaml", "seed", "operator")
@@ -621,23 +652,41 @@ class StartMission(_message.Message):
     operator: str
     def __init__(self, file_name: _Optional[str] = ..., mission_yaml: _Optional[str] = ..., seed: _Optional[int] = ..., operator: _Optional[str] = ...) -> None: ...
 
+class RequestHeader(_message.Message):
+    __slots__ = ("id", "expires_ns", "session_id", "author", "if_revision")
+    ID_FIELD_NUMBER: _ClassVar[int]
+    EXPIRES_NS_FIELD_NUMBER: _ClassVar[int]
+    SESSION_ID_FIELD_NUMBER: _ClassVar[int]
+    AUTHOR_FIELD_NUMBER: _ClassVar[int]
+    IF_REVISION_FIELD_NUMBER: _ClassVar[int]
+    id: str
+    expires_ns: int
+    session_id: str
+    author: str
+    if_revision: int
+    def __init__(self, id: _Optional[str] = ..., expires_ns: _Optional[int] = ..., session_id: _Optional[str] = ..., author: _Optional[str] = ..., if_revision: _Optional[int] = ...) -> None: ...
+
 class Empty(_message.Message):
     __slots__ = ()
     def __init__(self) -> None: ...
 
 class CommandReply(_message.Message):
-    __slots__ = ("accepted", "reason", "problems", "run_id", "revision")
+    __slots__ = ("accepted", "reason", "problems", "run_id", "revision", "id", "cause")
     ACCEPTED_FIELD_NUMBER: _ClassVar[int]
     REASON_FIELD_NUMBER: _ClassVar[int]
     PROBLEMS_FIELD_NUMBER: _ClassVar[int]
     RUN_ID_FIELD_NUMBER: _ClassVar[int]
     REVISION_FIELD_NUMBER: _ClassVar[int]
+    ID_FIELD_NUMBER: _ClassVar[int]
+    CAUSE_FIELD_NUMBER: _ClassVar[int]
     accepted: bool
     reason: str
     problems: _containers.RepeatedCompositeFieldContainer[Problem]
     run_id: str
     revision: int
-    def __init__(self, accepted: _Optional[bool] = ..., reason: _Optional[str] = ..., problems: _Optional[_Iterable[_Union[Problem, _Mapping]]] = ..., run_id: _Optional[str] = ..., revision: _Optional[int] = ...) -> None: ...
+    id: str
+    cause: RefusalCause
+    def __init__(self, accepted: _Optional[bool] = ..., reason: _Optional[str] = ..., problems: _Optional[_Iterable[_Union[Problem, _Mapping]]] = ..., run_id: _Optional[str] = ..., revision: _Optional[int] = ..., id: _Optional[str] = ..., cause: _Optional[_Union[RefusalCause, str]] = ...) -> None: ...
 
 class Problem(_message.Message):
     __slots__ = ("file", "line", "column", "field", "value", "rule")
@@ -763,8 +812,24 @@ class Outcome(_message.Message):
     tries: int
     def __init__(self, ending: _Optional[_Union[Ending, str]] = ..., reason: _Optional[str] = ..., basis: _Optional[str] = ..., mode: _Optional[_Union[Mode, str]] = ..., held_s: _Optional[float] = ..., closest_m: _Optional[float] = ..., closest_s: _Optional[float] = ..., true_errors: _Optional[_Union[EndErrors, _Mapping]] = ..., believed_errors: _Optional[_Union[EndErrors, _Mapping]] = ..., tries: _Optional[int] = ...) -> None: ...
 
+class CaptureMetrics(_message.Message):
+    __slots__ = ("captured", "time_s", "seat_time_s", "force_max_n", "force_most_n", "entry_offset_m")
+    CAPTURED_FIELD_NUMBER: _ClassVar[int]
+    TIME_S_FIELD_NUMBER: _ClassVar[int]
+    SEAT_TIME_S_FIELD_NUMBER: _ClassVar[int]
+    FORCE_MAX_N_FIELD_NUMBER: _ClassVar[int]
+    FORCE_MOST_N_FIELD_NUMBER: _ClassVar[int]
+    ENTRY_OFFSET_M_FIELD_NUMBER: _ClassVar[int]
+    captured: bool
+    time_s: float
+    seat_time_s: float
+    force_max_n: float
+    force_most_n: float
+    entry_offset_m: float
+    def __init__(self, captured: _Optional[bool] = ..., time_s: _Optional[float] = ..., seat_time_s: _Optional[float] = ..., force_max_n: _Optional[float] = ..., force_most_n: _Optional[float] = ..., entry_offset_m: _Optional[float] = ...) -> None: ...
+
 class Metrics(_message.Message):
-    __slots__ = ("run_id", "duration_s", "cycles", "residual_rms", "saturation_ratio", "d_u_fr", "d_u_rh", "switches", "modes", "solve_time_mean_us", "solve_time_std_us", "solve_time_p95_us", "solve_time_max_us", "final_range_m", "increment_violations", "demand_step_violations", "residual_rms_true", "missing_cycles", "solved_ratio", "outcome", "d_u_fr_settling", "d_u_rh_settling", "shaft_energy_j", "fin_travel_deg", "screw_reversals")
+    __slots__ = ("run_id", "duration_s", "cycles", "residual_rms", "saturation_ratio", "d_u_fr", "d_u_rh", "switches", "modes", "solve_time_mean_us", "solve_time_std_us", "solve_time_p95_us", "solve_time_max_us", "final_range_m", "increment_violations", "demand_step_violations", "residual_rms_true", "missing_cycles", "solved_ratio", "outcome", "d_u_fr_settling", "d_u_rh_settling", "shaft_energy_j", "fin_travel_deg", "screw_reversals", "capture")
     RUN_ID_FIELD_NUMBER: _ClassVar[int]
     DURATION_S_FIELD_NUMBER: _ClassVar[int]
     CYCLES_FIELD_NUMBER: _ClassVar[int]
@@ -790,6 +855,7 @@ class Metrics(_message.Message):
     SHAFT_ENERGY_J_FIELD_NUMBER: _ClassVar[int]
     FIN_TRAVEL_DEG_FIELD_NUMBER: _ClassVar[int]
     SCREW_REVERSALS_FIELD_NUMBER: _ClassVar[int]
+    CAPTURE_FIELD_NUMBER: _ClassVar[int]
     run_id: str
     duration_s: float
     cycles: int
@@ -815,7 +881,8 @@ class Metrics(_message.Message):
     shaft_energy_j: float
     fin_travel_deg: float
     screw_reversals: int
-    def __init__(self, run_id: _Optional[str] = ..., duration_s: _Optional[float] = ..., cycles: _Optional[int] = ..., residual_rms: _Optional[float] = ..., saturation_ratio: _Optional[float] = ..., d_u_fr: _Optional[float] = ..., d_u_rh: _Optional[float] = ..., switches: _Optional[_Iterable[_Union[SwitchMetrics, _Mapping]]] = ..., modes: _Optional[_Iterable[_Union[ModeMetrics, _Mapping]]] = ..., solve_time_mean_us: _Optional[float] = ..., solve_time_std_us: _Optional[float] = ..., solve_time_p95_us: _Optional[float] = ..., solve_time_max_us: _Optional[float] = ..., final_range_m: _Optional[float] = ..., increment_violations: _Optional[int] = ..., demand_step_violations: _Optional[int] = ..., residual_rms_true: _Optional[float] = ..., missing_cycles: _Optional[int] = ..., solved_ratio: _Optional[float] = ..., outcome: _Optional[_Union[Outcome, _Mapping]] = ..., d_u_fr_settling: _Optional[float] = ..., d_u_rh_settling: _Optional[float] = ..., shaft_energy_j: _Optional[float] = ..., fin_travel_deg: _Optional[float] = ..., screw_reversals: _Optional[int] = ...) -> None: ...
+    capture: CaptureMetrics
+    def __init__(self, run_id: _Optional[str] = ..., duration_s: _Optional[float] = ..., cycles: _Optional[int] = ..., residual_rms: _Optional[float] = ..., saturation_ratio: _Optional[float] = ..., d_u_fr: _Optional[float] = ..., d_u_rh: _Optional[float] = ..., switches: _Optional[_Iterable[_Union[SwitchMetrics, _Mapping]]] = ..., modes: _Optional[_Iterable[_Union[ModeMetrics, _Mapping]]] = ..., solve_time_mean_us: _Optional[float] = ..., solve_time_std_us: _Optional[float] = ..., solve_time_p95_us: _Optional[float] = ..., solve_time_max_us: _Optional[float] = ..., final_range_m: _Optional[float] = ..., increment_violations: _Optional[int] = ..., demand_step_violations: _Optional[int] = ..., residual_rms_true: _Optional[float] = ..., missing_cycles: _Optional[int] = ..., solved_ratio: _Optional[float] = ..., outcome: _Optional[_Union[Outcome, _Mapping]] = ..., d_u_fr_settling: _Optional[float] = ..., d_u_rh_settling: _Optional[float] = ..., shaft_energy_j: _Optional[float] = ..., fin_travel_deg: _Optional[float] = ..., screw_reversals: _Optional[int] = ..., capture: _Optional[_Union[CaptureMetrics, _Mapping]] = ...) -> None: ...
 
 class StreamMessage(_message.Message):
     __slots__ = ("topic", "schema", "payload", "receive_time_ns")
@@ -879,7 +946,7 @@ class Alarms(_message.Message):
     def __init__(self, alarms: _Optional[_Iterable[_Union[Alarm, _Mapping]]] = ...) -> None: ...
 
 class ServerStatus(_message.Message):
-    __slots__ = ("time_ns", "vehicle_id", "link", "telemetry_age_s", "recording", "recording_run_id", "recorded_bytes", "recorder_dropped", "node_restarts", "stream_clients", "server_version", "node_managed", "recorder_trouble")
+    __slots__ = ("time_ns", "vehicle_id", "link", "telemetry_age_s", "recording", "recording_run_id", "recorded_bytes", "recorder_dropped", "node_restarts", "stream_clients", "server_version", "node_managed", "recorder_trouble", "topics", "clock_offset_s", "bus_notice", "set_aside")
     TIME_NS_FIELD_NUMBER: _ClassVar[int]
     VEHICLE_ID_FIELD_NUMBER: _ClassVar[int]
     LINK_FIELD_NUMBER: _ClassVar[int]
@@ -893,6 +960,10 @@ class ServerStatus(_message.Message):
     SERVER_VERSION_FIELD_NUMBER: _ClassVar[int]
     NODE_MANAGED_FIELD_NUMBER: _ClassVar[int]
     RECORDER_TROUBLE_FIELD_NUMBER: _ClassVar[int]
+    TOPICS_FIELD_NUMBER: _ClassVar[int]
+    CLOCK_OFFSET_S_FIELD_NUMBER: _ClassVar[int]
+    BUS_NOTICE_FIELD_NUMBER: _ClassVar[int]
+    SET_ASIDE_FIELD_NUMBER: _ClassVar[int]
     time_ns: int
     vehicle_id: str
     link: LinkState
@@ -906,4 +977,20 @@ class ServerStatus(_message.Message):
     server_version: str
     node_managed: bool
     recorder_trouble: str
-    def __init__(self, time_ns: _Optional[int] = ..., vehicle_id: _Optional[str] = ..., link: _Optional[_Union[LinkState, str]] = ..., telemetry_age_s: _Optional[float] = ..., recording: _Optional[bool] = ..., recording_run_id: _Optional[str] = ..., recorded_bytes: _Optional[int] = ..., recorder_dropped: _Optional[int] = ..., node_restarts: _Optional[int] = ..., stream_clients: _Optional[int] = ..., server_version: _Optional[str] = ..., node_managed: _Optional[bool] = ..., recorder_trouble: _Optional[str] = ...) -> None: ...
+    topics: _containers.RepeatedCompositeFieldContainer[TopicFreshness]
+    clock_offset_s: float
+    bus_notice: str
+    set_aside: int
+    def __init__(self, time_ns: _Optional[int] = ..., vehicle_id: _Optional[str] = ..., link: _Optional[_Union[LinkState, str]] = ..., telemetry_age_s: _Optional[float] = ..., recording: _Optional[bool] = ..., recording_run_id: _Optional[str] = ..., recorded_bytes: _Optional[int] = ..., recorder_dropped: _Optional[int] = ..., node_restarts: _Optional[int] = ..., stream_clients: _Optional[int] = ..., server_version: _Optional[str] = ..., node_managed: _Optional[bool] = ..., recorder_trouble: _Optional[str] = ..., topics: _Optional[_Iterable[_Union[TopicFreshness, _Mapping]]] = ..., clock_offset_s: _Optional[float] = ..., bus_notice: _Optional[str] = ..., set_aside: _Optional[int] = ...) -> None: ...
+
+class TopicFreshness(_message.Message):
+    __slots__ = ("topic", "age_s", "fresh_for_s", "late")
+    TOPIC_FIELD_NUMBER: _ClassVar[int]
+    AGE_S_FIELD_NUMBER: _ClassVar[int]
+    FRESH_FOR_S_FIELD_NUMBER: _ClassVar[int]
+    LATE_FIELD_NUMBER: _ClassVar[int]
+    topic: str
+    age_s: float
+    fresh_for_s: float
+    late: bool
+    def __init__(self, topic: _Optional[str] = ..., age_s: _Optional[float] = ..., fresh_for_s: _Optional[float] = ..., late: _Optional[bool] = ...) -> None: ...

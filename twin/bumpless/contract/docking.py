@@ -8,6 +8,8 @@ STAGES: dict[int, str] = {
     enums.APPROACH: "approach",
     enums.BACK: "backing off",
     enums.HOLD: "holding clear of the dock",
+    enums.CREEP: "creeping into the dock",
+    enums.CAPTURED: "captured",
 }
 REASONS: dict[int, str] = {
     enums.TARGET_LOST: "target lost",

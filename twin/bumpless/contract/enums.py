@@ -18,7 +18,9 @@ SOLVED, BUDGET_SPENT, INFEASIBLE, FALLBACK, REFUSED = 1, 2, 3, 4, 5
 
 INFO, WARNING, ALARM = 1, 2, 3  # Severity
 
-TRANSIT, ENTRY, APPROACH, BACK, HOLD = 1, 2, 3, 4, 5  # DockingStage; 0 where the published automaton flies
+# DockingStage; 0 where the published automaton flies
+TRANSIT, ENTRY, APPROACH, BACK, HOLD, CREEP, CAPTURED = 1, 2, 3, 4, 5, 6, 7
+WAVED_OFF_STAGES = (BACK, HOLD)  # on the way back from the dock, and holding clear of it for good
 
 # WaveOffReason; 0 before the first wave-off
 TARGET_LOST, OFF_LINE, OFF_HEADING, OFF_DEPTH, OVERSHOT = 1, 2, 3, 4, 5

@@ -10,6 +10,7 @@ from math import hypot, sqrt
 from bumpless.contract.enums import ABORTED, COMPLETED, FORWARD, HOLD, HOVER, IDLE, PAUSED, RUNNING
 from bumpless.control.allocation.allocate import achieve, allocate
 from bumpless.control.allocation.slack import report_slack, soften
+from bumpless.control.docking.creep import note_capture, note_still
 from bumpless.control.docking.step import (
     is_in_place,
     look_docking,
@@ -49,7 +50,11 @@ def autopilot_cycle(handle, onboard, m):
     phase = orders.phase
     if phase != IDLE:
         locate(settings, onboard.sensors, onboard.model, m, s, out.navigation)
-    if phase == IDLE or phase == ABORTED:
+    captured = phase != IDLE and m.captured == 1
+    if captured:
+        note_capture(s.clock.cycle, s.docking)
+        count_hover(True, s.supervisor)
+    if phase == IDLE or phase == ABORTED or captured:
         see_flow(settings.guidance, s.navigation.smooth_nu_r, out.navigation.nu_flow)
         stop_actuators(settings.dt, onboard.model, out.navigation.nu_flow, s, out)
     else:
@@ -108,6 +113,9 @@ def fly_cycle(handle, onboard, m):
         in_place = is_in_place(s, holding, situation.range, out.docking)
     else:
         in_place = in_range(settings.supervisor, situation.range, holding, s.supervisor)
+    if plan.dock == 1:
+        note_still(in_place, s.docking)
+        in_place = False  # it is when captured
     count_hover(in_place, s.supervisor)
     orient(settings.supervisor, onboard.orders, holding, s, situation)
     sway = model.controllable[1] > 0.0
@@ -132,7 +140,8 @@ def choose_mode(onboard):
     """The mode for this cycle: by the docking automaton, or by the published one."""
     settings, plan, s, situation = onboard.settings, onboard.plan, onboard.state, onboard.output.situation
     if settings.docking.enabled == 1:
-        return stage_mode(settings, plan, onboard.orders.phase, s, situation, onboard.output.docking)
+        phase, view = onboard.orders.phase, onboard.output.docking
+        return stage_mode(settings, plan, onboard.model, phase, s, situation, view)
     going_around = s.guidance.leg >= plan.n_legs
     return supervise(settings.supervisor, s.supervisor, s.clock.cycle, situation.range, going_around)
 

@@ -14,7 +14,15 @@ PLAN = np.dtype(
         ("speed", f8, MAX_WAYPOINTS),  # of leg i, m/s
         ("target", f8, 4),  # planned marker position NED, approach heading
         ("standoff", f8),  # m before the marker
+        ("dock", i8),  # 1: there is a dock to enter
+        ("dock_entry", f8),  # m from its entry to the marker
+        ("dock_depth", f8),  # m from its entry to where its latch closes behind the nose
+        ("dock_end", f8),  # m from its entry to its stop
         ("heading_tolerance", f8),  # rad by which the approach heading may turn into the current
+        ("dock_turns", i8),  # 1: the dock lies behind the marker on whatever approach heading
+        ("dock_half", f8),  # half its width, m
+        ("dock_radius", f8),  # of the circle about the marker that holds it, m
+        ("nose", f8),  # of the vehicle, along x_b, m
         ("start", f8, 6),  # eta
         ("start_speed", f8),  # surge through water, m/s
         ("cycles", i8),  # longest duration

@@ -4,8 +4,19 @@
 says what of a mission can't work or is unlikely to, with the nearest change that would.
 """
 
-from bumpless.feasibility.finding import ERROR, WARNING, Finding
+from bumpless.feasibility.finding import HARD, SOFT, Finding, Mend
 from bumpless.feasibility.mission import check_mission
-from bumpless.feasibility.station import Station, station_keeping
+from bumpless.feasibility.station import ACCEPT, REFUSE, WARN, Station, station_keeping
 
-__all__ = ["ERROR", "WARNING", "Finding", "Station", "check_mission", "station_keeping"]
+__all__ = [
+    "ACCEPT",
+    "HARD",
+    "REFUSE",
+    "SOFT",
+    "WARN",
+    "Finding",
+    "Mend",
+    "Station",
+    "check_mission",
+    "station_keeping",
+]

@@ -10,13 +10,15 @@ from bumpless.config.mission import Mission
 from bumpless.config.parameters import Parameters
 from bumpless.config.vehicle import Vehicle
 from bumpless.control.docking.line import approach_speed
-from bumpless.feasibility.finding import ERROR, WARNING, Finding
+from bumpless.feasibility.finding import HARD, SOFT, Finding, Mend
 from bumpless.feasibility.reach import docking_settings, plain, top_speed
+from bumpless.feasibility.station import station_keeping
 from bumpless.physics.model import build_model
 
 _CRAB_MOST = 0.35  # sine of the largest crab angle
 _ASIDE_M = 6.0  # from the last leg's end to the observation point: an approach can make up for no more
 _DEEPER_M = 1.0
+_JOINED_RAD = 0.9  # of turn on to the approach line, as in `control.docking.gates.can_join`
 
 
 def check_legs(mission: Mission, vehicle: Vehicle, parameters: Parameters) -> Iterator[Finding]:
@@ -27,11 +29,13 @@ def check_legs(mission: Mission, vehicle: Vehicle, parameters: Parameters) -> It
         field = f"legs[{i}].speed_mps"
         if leg.speed_mps > fastest:
             text = f"{leg.speed_mps:g} m/s is faster than {vehicle.id} can be: {fastest:.2f} m/s."
-            yield Finding(ERROR, "leg_too_fast", field, text, f"Fly it at {fastest:.1f} m/s or slower.")
+            slower = math.floor(10.0 * fastest) / 10.0
+            mend = Mend(field, slower, f"Fly it at {slower:g} m/s")
+            yield Finding(HARD, "leg_too_fast", field, text, f"Fly it at {slower:g} m/s or slower.", (mend,))
             continue
         if leg_speed(mission, i) <= 0.02:
             text = "The current sets it off the leg faster than it can make good."
-            yield Finding(ERROR, "leg_not_flyable", field, text, "Fly it faster, or along another way.")
+            yield Finding(HARD, "leg_not_flyable", field, text, "Fly it faster, or along another way.")
             continue
         yield from _depth(mission, i, start, end, parameters)
 
@@ -73,7 +77,7 @@ def _depth(
         text = f"{change:.1f} m of depth in {time:.0f} s is more than the {rate:g} m/s its depth can follow."
         least = change / rate * leg_speed(mission, i)
         what = f"Make the leg {least:.0f} m long, or fly it slower."
-        yield Finding(WARNING, "leg_too_steep", f"legs[{i}].to_ned_m", text, what)
+        yield Finding(SOFT, "leg_too_steep", f"legs[{i}].to_ned_m", text, what)
 
 
 def approach_time(parameters: Parameters, mission: Mission) -> float:
@@ -94,21 +98,44 @@ def approach_time(parameters: Parameters, mission: Mission) -> float:
     return float(np.sum(0.05 / speeds[slow]) - np.sum(slow) * 0.05 / speed)
 
 
-def check_time(mission: Mission, parameters: Parameters) -> Iterator[Finding]:
+def round_time(mission: Mission, vehicle: Vehicle, parameters: Parameters) -> float:
+    """Time that the way round to the approach line adds to the last leg, s; 0 where the leg leads on to it.
+
+    A turn by delta on to a line that begins d before the dock: about d (1 - cos delta) + R delta.
+    """
+    d, speed = parameters.docking, mission.legs[-1].speed_mps
+    if not d.enabled:
+        return 0.0
+    start, end = mission.path_ned_m[-2:]
+    short = math.dist(start, end) < d.entry_distance_m + 2.0 * d.turn_radius_m  # it is decided as it begins
+    before, after = mission.path_ned_m[-3:-1] if short and len(mission.legs) > 1 else (start, end)
+    course = math.atan2(after[1] - before[1], after[0] - before[0])
+    current = mission.environment.current_ned_mps
+    heading = math.radians(station_keeping(vehicle, parameters, current, mission.target).chosen_deg)
+    turn = abs((heading - course + math.pi) % (2.0 * math.pi) - math.pi)
+    room = math.dist(start, end) - parameters.supervisor.range_fr_lower_m - 1.5 * d.turn_radius_m * turn
+    if turn < _JOINED_RAD and room > 0.0:
+        return 0.0
+    turn = turn if turn >= _JOINED_RAD else math.pi
+    return (d.entry_distance_m * (1.0 - math.cos(turn)) + d.turn_radius_m * turn) / speed
+
+
+def check_time(mission: Mission, vehicle: Vehicle, parameters: Parameters) -> Iterator[Finding]:
     """Is the way flown within the duration, with the approach and the hold?"""
     way = sum(leg_time(mission, i) for i in range(len(mission.legs)))
-    more = approach_time(parameters, mission)
+    more = approach_time(parameters, mission) + round_time(mission, vehicle, parameters)
     hold = mission.end.hover_hold_s or 10.0
     total, most = way + more + hold, mission.duration_s
     if not math.isfinite(way):
         return
-    needed = f"Allow {math.ceil(total / 10.0) * 10:.0f} s."
+    allow = math.ceil(total / 10.0) * 10.0
+    needed, mends = f"Allow {allow:.0f} s.", (Mend("duration_s", allow, f"Allow {allow:.0f} s"),)
     if way > most:
         text = f"The legs alone take {way:.0f} s, the mission ends after {most:g} s."
-        yield Finding(ERROR, "too_far", "duration_s", text, needed)
+        yield Finding(HARD, "too_far", "duration_s", text, needed, mends)
     elif total > most:
         text = f"Legs, approach and {hold:g} s of hover take about {total:.0f} s of {most:g} s."
-        yield Finding(WARNING, "short_of_time", "duration_s", text, needed)
+        yield Finding(SOFT, "short_of_time", "duration_s", text, needed, mends)
 
 
 def check_end(mission: Mission) -> Iterator[Finding]:
@@ -118,11 +145,17 @@ def check_end(mission: Mission) -> Iterator[Finding]:
     field = f"legs[{len(mission.legs) - 1}].to_ned_m"
     if aside > _ASIDE_M:
         text = f"The last leg ends {aside:.1f} m from the observation point."
-        what = f"End it at [{point[0]:.1f}, {point[1]:.1f}, {point[2]:.1f}]."
-        yield Finding(WARNING, "target_not_on_path", field, text, what)
+        place = tuple(round(x, 1) for x in point)
+        what = f"End it at [{place[0]:g}, {place[1]:g}, {place[2]:g}]."
+        mend = Mend(field, place, "End the last leg at the observation point")
+        yield Finding(SOFT, "target_not_on_path", field, text, what, (mend,))
     if abs(deeper) > _DEEPER_M:
         side = "below" if deeper > 0.0 else "above"
         text = f"The target lies {abs(deeper):.1f} m {side} the end of the last leg: is its depth mistyped?"
-        yield Finding(
-            WARNING, "target_depth", "target.position_ned_m", text, f"Let the leg end at {point[2]:g} m."
+        north, east, _ = mission.target.position_ned_m
+        mends = (
+            Mend("target.position_ned_m", (north, east, end[2]), f"Target at {end[2]:g} m"),
+            Mend(field, (end[0], end[1], point[2]), f"End the last leg at {point[2]:g} m"),
         )
+        what = f"Put the target at {end[2]:g} m, or let the leg end at {point[2]:g} m."
+        yield Finding(SOFT, "target_depth", "target.position_ned_m", text, what, mends)

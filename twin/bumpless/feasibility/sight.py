@@ -9,7 +9,7 @@ import numpy as np
 from bumpless.config.mission import Mission
 from bumpless.config.parameters import Parameters
 from bumpless.config.vehicle import Vehicle
-from bumpless.feasibility.finding import WARNING, Finding
+from bumpless.feasibility.finding import SOFT, Finding, Mend
 from bumpless.feasibility.reach import plain
 from bumpless.physics.camera import in_view, view_from
 from bumpless.sim.settings import sensors_of
@@ -47,10 +47,10 @@ def check_sight(mission: Mission, vehicle: Vehicle, parameters: Parameters) -> I
                 f"The target is seen from this leg already, {near:.1f} m before the observation point; "
                 f"the {last - i} legs after it are flown all the same and the approach begins on the last."
             )
-            yield Finding(WARNING, "seen_early", field, text, "Leave those legs out to dock from here.")
+            yield Finding(SOFT, "seen_early", field, text, "Leave those legs out to dock from here.")
         elif near <= parameters.supervisor.range_fr_lower_m:
             text = f"The target is seen from here, {near:.1f} m away: the {last - i} legs left are skipped."
-            yield Finding(WARNING, "legs_skipped", field, text, "Keep this leg farther from the target.")
+            yield Finding(SOFT, "legs_skipped", field, text, "Keep this leg farther from the target.")
 
 
 def check_first_sight(mission: Mission, vehicle: Vehicle, parameters: Parameters) -> Iterator[Finding]:
@@ -65,4 +65,6 @@ def check_first_sight(mission: Mission, vehicle: Vehicle, parameters: Parameters
     if left < parameters.docking.break_off_m:
         text = f"The target is seen {left:.1f} m before the observation point, past the place to break off."
         field = "parameters.docking.break_off_m"
-        yield Finding(WARNING, "seen_too_late", field, text, f"Set it to {max(left - 1.0, 0.5):.1f} m.")
+        later = round(max(left - 1.0, 0.5), 1)
+        mend = Mend(field, later, f"Break off at {later:g} m")
+        yield Finding(SOFT, "seen_too_late", field, text, f"Set it to {later:g} m.", (mend,))

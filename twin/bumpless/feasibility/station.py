@@ -1,8 +1,10 @@
-"""Which headings can hold station in a current, for how long, and why not.
+"""On which headings station can be held in a current, how surely, and why not.
 
 A vehicle without sideways thrust holds station by pointing into the current: across stays what the flow over
-the fins and a small crab angle can make good; the rest drifts. The rules are those of the docking automaton
-(`control.docking.heading`), so that what is refused before the start is what is waved off in flight.
+the fins and a small crab angle can make good; the rest drifts. There are three zones. REFUSE: beyond the rule
+that the docking automaton goes by in flight (`control.docking.heading`), so that what is refused before the
+start is what is given up on the way. ACCEPT: within the narrower `sure_` limits of the parameters. WARN:
+between the two; some plants and gusts can, others can't.
 """
 
 import math
@@ -17,12 +19,24 @@ from bumpless.config.vehicle import Vehicle
 from bumpless.control.docking.heading import bearable
 from bumpless.feasibility.reach import docking_settings, drag, plain, side_force, thrust_ahead
 from bumpless.physics.model import build_model
+from bumpless.sim.approach import turn_used_deg
 
+REFUSE, WARN, ACCEPT = 0, 1, 2
 STEP_DEG = 1.0
-IN_PLACE_M = 0.15  # what docked means
-LASTS_S = 1e6  # for good
+_DRIFT_M = 0.15  # what docked means, in position
+_DOCKED_S = 10.0
 _CRAB_PUBLISHED = 0.35  # sine of the crab angle that the published guidance allows in H (`guidance.drift`)
 _ASTERN_PUBLISHED = 0.03  # m/s along the hull for which it is meant at least
+_SURE_SHARE = 0.8  # of what sideways thrust can do
+
+
+@dataclass(frozen=True)
+class Held:
+    """Station keeping at one heading."""
+
+    zone: int  # REFUSE, WARN or ACCEPT
+    margin_mps: float  # of current across, to where it is refused; negative beyond
+    reason: str = ""  # why not, or why not surely
 
 
 @dataclass(frozen=True)
@@ -30,18 +44,10 @@ class Station:
     """Station keeping in one current, by heading. Arrays have one entry a degree, 0 to 359."""
 
     heading_deg: np.ndarray
-    holds_s: np.ndarray  # how long: 0 not at all, LASTS_S for good
-    margin_mps: np.ndarray  # of current across that could be borne besides; negative where it can't be held
+    zone: np.ndarray  # REFUSE, WARN or ACCEPT
     chosen_deg: float  # the heading that the vehicle would take
-    chosen_s: float  # how long it holds there
-    chosen_margin_mps: float
-    reason: str  # why it can't be held at the chosen heading; "" where it can
-    nearest_deg: float | None  # the heading nearest to the target's that holds for good; None: there is none
-
-    @property
-    def holds(self) -> bool:
-        """Whether station can be held at the chosen heading, at least to dock."""
-        return self.chosen_s > 0.0
+    chosen: Held
+    nearest_deg: float | None  # the accepted heading nearest to the target's; None: there is none
 
 
 def station_keeping(
@@ -50,14 +56,12 @@ def station_keeping(
     """Station keeping of a vehicle before a target in a steady current (NED, the way it flows, m/s)."""
     rule = _Rule(vehicle, parameters, current_ned_mps)
     headings = np.arange(0.0, 360.0, STEP_DEG)
-    each = [rule.at(float(heading)) for heading in headings]
-    holds, margins = np.array([one[0] for one in each]), np.array([one[1] for one in each])
-    chosen = rule.choose(target.heading_deg, target.turn_deg)
-    chosen_s, margin, reason = rule.at(chosen)
-    good = headings[holds >= LASTS_S]
+    zone = np.array([rule.at(float(heading)).zone for heading in headings])
+    chosen = rule.choose(target.heading_deg, turn_used_deg(target, vehicle))
+    good = headings[zone == ACCEPT]
     off = np.abs((good - target.heading_deg + 180.0) % 360.0 - 180.0)
     nearest = float(good[np.argmin(off)]) if len(good) else None
-    return Station(headings, holds, margins, chosen, chosen_s, margin, reason, nearest)
+    return Station(headings, zone, chosen, rule.at(chosen), nearest)
 
 
 class _Rule:
@@ -81,49 +85,55 @@ class _Rule:
         off = (into - given_deg + 180.0) % 360.0 - 180.0
         return (given_deg + min(max(off, -tolerance_deg), tolerance_deg)) % 360.0
 
-    def at(self, heading_deg: float) -> tuple[float, float, str]:
-        """(how long station is held, margin m/s, why not) at a heading."""
+    def at(self, heading_deg: float) -> Held:
+        """Can station be held at a heading?"""
         along, across = self.split(heading_deg)
         slowest = self.parameters.guidance.speed_min_mps
         if slowest > 0.0:
-            return 0.0, -slowest, f"it steers by flow and can't fly slower than {slowest:g} m/s"
+            return Held(REFUSE, -slowest, f"it steers by flow and can't fly slower than {slowest:g} m/s")
         if thrust_ahead(self.model, max(-along, 0.0)) < drag(self.model, 0, abs(along)):
-            return 0.0, -abs(along), f"its thrust is no match for {abs(along):.2f} m/s along the hull"
+            return Held(
+                REFUSE, -abs(along), f"its thrust is no match for {abs(along):.2f} m/s along the hull"
+            )
         if self.sway > 0.0:
             return self._pushing(across)
-        if self.parameters.docking.enabled:
-            return self._pointing(along, across)
-        return self._published(along, across)
+        return self._pointing(along, across) if self.parameters.docking.enabled else self._kept(along, across)
 
-    def _pushing(self, across: float) -> tuple[float, float, str]:
+    def _pushing(self, across: float) -> Held:
         """With sideways thrust."""
         speeds = np.linspace(0.0, 5.0, 501)
         most = float(max(speed for speed in speeds if drag(self.model, 1, float(speed)) <= self.sway))
         margin = most - abs(across)
-        why = "" if margin > 0.0 else f"its sideways thrust holds no more than {most:.2f} m/s abeam"
-        return (LASTS_S if margin > 0.0 else 0.0), margin, why
+        if abs(across) <= _SURE_SHARE * most:
+            return Held(ACCEPT, margin)
+        return Held(
+            WARN if margin > 0.0 else REFUSE,
+            margin,
+            f"its sideways thrust holds no more than {most:.2f} m/s abeam",
+        )
 
-    def _pointing(self, along: float, across: float) -> tuple[float, float, str]:
+    def _pointing(self, along: float, across: float) -> Held:
         """Without, by the docking automaton's rule."""
-        borne = float(plain(bearable)(self.docking, along))
-        if along > self.docking.following:
-            why = f"{along:.2f} m/s from astern takes the flow off its fins"
-            return 0.0, borne - abs(across), why
-        margin = borne - abs(across)
-        if margin < 0.0:
-            why = f"it can bear {borne:.3f} m/s abeam, not {abs(across):.3f}, for want of sideways thrust"
-            return 0.0, margin, why
         d = self.parameters.docking
-        left = max(abs(across) - d.crab_near * max(-along, 0.0), 0.0)
-        if left < 1e-4:
-            return LASTS_S, margin, ""
-        aim = min(left * d.aim_time_s, d.aim_most_m)
-        return (IN_PLACE_M + aim) / left, margin, ""
-
-    def _published(self, along: float, across: float) -> tuple[float, float, str]:
-        """By the published guidance: the hull lies along the current as far as the camera allows."""
-        borne = _CRAB_PUBLISHED * max(abs(along), _ASTERN_PUBLISHED)
+        borne = float(plain(bearable)(self.docking, along))
         margin = borne - abs(across)
+        if along > d.following_mps:
+            return Held(REFUSE, margin, f"{along:.2f} m/s from astern takes the flow off its fins")
+        abeam = f"it has no sideways thrust and bears {borne:.3f} m/s abeam, not {abs(across):.3f}"
+        if margin < 0.0:
+            return Held(REFUSE, margin, abeam)
+        sure = d.sure_side_still_mps + d.sure_side_share * max(-along, 0.0)
+        if along <= d.sure_following_mps and abs(across) <= sure:
+            return Held(ACCEPT, margin)
+        if along > d.sure_following_mps:
+            return Held(WARN, margin, f"{along:.2f} m/s from astern takes flow off its fins")
+        return Held(WARN, margin, f"it has no sideways thrust and surely bears {sure:.3f} m/s abeam only")
+
+    def _kept(self, along: float, across: float) -> Held:
+        """By the published guidance: the hull lies along the current as far as the camera allows."""
+        margin = _CRAB_PUBLISHED * max(abs(along), _ASTERN_PUBLISHED) - abs(across)
         if margin >= 0.0:
-            return LASTS_S, margin, ""
-        return IN_PLACE_M / (-margin), margin, ""
+            return Held(ACCEPT, margin)
+        lasts = _DRIFT_M / -margin
+        why = f"it has no sideways thrust and drifts out of place in about {lasts:.0f} s"
+        return Held(WARN if lasts > 2.0 * _DOCKED_S else REFUSE, margin, why)

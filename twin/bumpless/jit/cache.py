@@ -4,6 +4,8 @@ import contextlib
 import os
 import re
 import shutil
+import stat
+import tempfile
 import time
 from pathlib import Path
 from typing import IO
@@ -17,6 +19,26 @@ KEEP = 8  # states of the sources, about 7 MB each
 IDLE_S = 86_400.0  # used within this time: kept, however many there are
 _NAME = re.compile(r"numba-[0-9a-f]{16}")
 _held: list[IO[str]] = []  # one lock for the life of this process
+
+
+def usable(folder: Path) -> Path:
+    """`folder`, or one of this user's own among temporary files where it cannot be written to.
+
+    A service without a home directory would otherwise compile anew at each start, or not at all.
+    """
+    with contextlib.suppress(OSError):
+        folder.mkdir(parents=True, exist_ok=True)
+        if os.access(folder, os.W_OK | os.X_OK):
+            return folder
+    user = os.getuid() if hasattr(os, "getuid") else 0
+    own = Path(tempfile.gettempdir()) / f"bumpless-{user}"
+    with contextlib.suppress(OSError):
+        own.mkdir(mode=0o700, exist_ok=True)
+        found = own.lstat()
+        # compiled code of somebody else's would run as ours
+        if stat.S_ISDIR(found.st_mode) and found.st_uid == user and not found.st_mode & 0o022:
+            return own / folder.name
+    return Path(tempfile.mkdtemp(prefix="bumpless-"))
 
 
 def claim(folder: Path) -> Path:

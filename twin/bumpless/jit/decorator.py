@@ -16,7 +16,9 @@ from typing import Any
 import numba
 import numpy as np
 
-from bumpless.jit.cache import claim
+from bumpless.jit.blas import skip_blas
+from bumpless.jit.cache import claim, usable
+from bumpless.jit.flags import compare_by_what_was_set
 
 try:
     from bumpless.jit.parts import Function
@@ -54,7 +56,9 @@ def cache_folder() -> Path:
 
 
 if not os.environ.get("NUMBA_CACHE_DIR"):
-    numba.config.CACHE_DIR = str(claim(cache_folder()))  # type: ignore[attr-defined]
+    numba.config.CACHE_DIR = str(claim(usable(cache_folder())))  # type: ignore[attr-defined]
+skip_blas()
+compare_by_what_was_set()
 
 
 _OPTIONS = {"nopython": True, "nogil": True, "error_model": "numpy"}

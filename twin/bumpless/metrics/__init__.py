@@ -5,7 +5,8 @@
 """
 
 from bumpless.metrics.columns import Columns
+from bumpless.metrics.figures import Figures, figures_of
 from bumpless.metrics.outcome import Ending, Outcome, outcome_of
 from bumpless.metrics.summary import as_dict, metrics_of
 
-__all__ = ["Columns", "Ending", "Outcome", "as_dict", "metrics_of", "outcome_of"]
+__all__ = ["Columns", "Ending", "Figures", "Outcome", "as_dict", "figures_of", "metrics_of", "outcome_of"]

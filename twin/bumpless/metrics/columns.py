@@ -17,6 +17,24 @@ FLOWN = (0, *FLYING)  # phases whose rows count; 0: not said
 
 
 @dataclass(frozen=True)
+class DockColumns:
+    """How the hull meets a dock to enter; all but `captured` is truth, NaN where nobody knew it."""
+
+    captured: Integers  # (n,) 1: its latch has closed
+    contact_force: Floats  # (n,) N, largest sum of normal forces since the row before
+    contact_most: Floats  # (n,) N, what dock and hull bear
+    nose_depth: Floats  # (n,) m, of the nose behind its entry
+    nose_offset: Floats  # (n,) m, of the nose from its axis
+
+    @classmethod
+    def from_rows(cls, rows: npt.NDArray[Any]) -> Self | None:
+        """From LOG rows; None where there is no dock to enter."""
+        if "contact_most" not in (rows.dtype.names or ()) or not np.any(rows["contact_most"] > 0.0):
+            return None
+        return cls(**{f.name: np.array(rows[f.name]) for f in fields(cls)})
+
+
+@dataclass(frozen=True)
 class Columns:
     """One row per control cycle (n rows, n_u actuators), named and scaled as in `sim.log.LOG`.
 
@@ -54,6 +72,7 @@ class Columns:
     du_max: Floats  # (n, n_u) increment bound of the cycle
     status: Integers  # (n,) SolveStatus
     solve_time: Floats  # (n,) s
+    dock: DockColumns | None = None  # where there is a dock to enter
 
     @classmethod
     def from_log(cls, log: npt.NDArray[Any], n_u: int) -> Self:
@@ -62,11 +81,13 @@ class Columns:
         named = log.dtype.names or ()
         absent: Any = np.zeros(len(rows), np.int64)
         columns: dict[str, Any] = {
-            f.name: np.array(rows[f.name] if f.name in named else absent) for f in fields(cls)
+            f.name: np.array(rows[f.name] if f.name in named else absent)
+            for f in fields(cls)
+            if f.name != "dock"
         }
         for name in ("u", "u_feedback", "du_max"):
             columns[name] = columns[name][:, :n_u]
-        return cls(**columns)
+        return cls(**columns, dock=DockColumns.from_rows(rows))
 
     def as_told(self, units: Sequence[str]) -> Self:
         """The same after its way over the bus, in deg and rpm: what a log holds, to the bit.

@@ -1,7 +1,7 @@
 """How a run ended, in one word with its reason: a small record, computed from what was logged.
 
-Where the truth is known (a simulated vehicle), it is judged by; else by what the vehicle believed. `basis`
-says which.
+The one judge of runs, campaigns and the study. Where the truth is known (a simulated vehicle), it is judged
+by; else by what the vehicle believed. `basis` says which.
 """
 
 from dataclasses import asdict, dataclass
@@ -11,23 +11,34 @@ from typing import TYPE_CHECKING, Any, Literal, cast
 import numpy as np
 
 from bumpless.contract import bumpless_pb2 as pb
-from bumpless.contract.enums import HOVER
-from bumpless.contract.modes import MODE_LETTERS
+from bumpless.contract.enums import HOVER, WAVED_OFF_STAGES
+from bumpless.contract.modes import LOOKS, MODE_LETTERS
+from bumpless.metrics.capture import Capture, capture_of
 from bumpless.metrics.columns import Columns
-from bumpless.metrics.dock import KEEP_OUT_M, clearance_of
+from bumpless.metrics.dock import ANY_SIDE, Body, Clearance, clearance_of
 from bumpless.metrics.errors import EndErrors, Errors, believed_errors, is_known, true_errors
 
 if TYPE_CHECKING:
     from bumpless.config.vehicle import Vehicle
 
-WAVED_OFF_STAGES = (4, 5)  # DockingStage: on the way back from the dock, and holding clear of it for good
-POSITION_M, HEADING_DEG, SPEED_MPS, HOLD_S = 0.15, 5.0, 0.05, 10.0  # what docked means
+
+@dataclass(frozen=True)
+class Limits:
+    """What docked means: in H, this close to the observation point, for the last seconds of the run."""
+
+    position_m: float = 0.15  # over three axes
+    heading_deg: float = 5.0
+    speed_mps: float = 0.05  # over ground
+    hold_s: float = 10.0
+
+
+DOCKED = Limits()
 
 
 class Ending(StrEnum):
     """The ways a run can end."""
 
-    DOCKED = "docked"  # in H within 0.15 m, 5 deg and 0.05 m/s of the observation point for the last 10 s
+    DOCKED = "docked"  # captured, where there is a dock to enter; else within `Limits` up to the end
     HELD = "held"  # over in H, but not docked
     WAVED_OFF = "waved_off"  # the approach was given up for a safe place
     TIME_OVER = "time_over"  # over before hover was reached
@@ -50,6 +61,7 @@ class Outcome:
 
     ending: Ending
     reason: str  # one sentence
+    why: str  # the same in a few words without numbers, to count by
     basis: Literal["true", "believed"]  # what it was judged by
     mode: str = ""  # of the last cycle, "F", "R" or "H"
     held_s: float = 0.0  # how long, up to the end, all of docked's conditions were met
@@ -91,32 +103,41 @@ class Outcome:
 
 
 def outcome_of(
-    run: Columns, vehicle: "Vehicle", how: How, reason: str = "", keep_out_m: float = KEEP_OUT_M
+    run: Columns,
+    vehicle: "Vehicle",
+    how: How,
+    reason: str = "",
+    body: Body = ANY_SIDE,
+    limits: Limits = DOCKED,
 ) -> Outcome:
     """The outcome of a run of `vehicle` that ended as `how`, for `reason`.
 
-    keep_out_m: radius of the dock about its marker, across the approach heading. Whatever part of the hull's
-    axis was inside it, the run has collided, and nothing later mends that.
+    body: the dock. Whenever a part of the hull was inside it, the run has collided, and nothing later mends
+    that.
     """
     if len(run) == 0:
         ending = Ending.TIME_OVER if how == "completed" else Ending(how)
-        return Outcome(ending, reason or "No cycle of the mission was flown.", "believed")
+        return Outcome(ending, reason or "No cycle of the mission was flown.", "no cycle flown", "believed")
     known, period_s = is_known(run), vehicle.control_period_s
     believed, true = believed_errors(run), true_errors(run) if known else None
     errors = true or believed
-    held_s = _held_s(run, errors, period_s)
-    clearance = clearance_of(run, vehicle, known)
-    hits = np.flatnonzero(clearance.in_plane <= keep_out_m)
-    if len(hits):
-        ending, text = Ending.COLLIDED, _hit(run, errors, int(hits[0]), clearance.in_plane)
+    held_s = _held_s(run, errors, period_s, limits)
+    clearance, dock = clearance_of(run, vehicle, known, body), capture_of(run)
+    if clearance.inside.any():
+        ending, text, why = _collided(run, errors, clearance)
+    elif dock and dock.overloaded:
+        ending, text, why = Ending.COLLIDED, dock.harm, "hull and dock met too hard"
     elif how != "completed":
-        ending, text = Ending(how), reason or f"The run was {how}."
+        ending, text, why = Ending(how), reason or f"The run was {how}.", reason or how
+    elif not np.isfinite(run.eta_hat[-1]).all():
+        ending, text, why = Ending.ABORTED, "The state was no number any more.", "the simulation broke down"
     else:
-        ending, text = _completed(run, errors, held_s, period_s)
+        ending, text, why = _completed(run, errors, held_s, period_s, limits, dock)
     near = int(np.nanargmin(clearance.to_marker)) if np.isfinite(clearance.to_marker).any() else None
     return Outcome(
         ending=ending,
         reason=text,
+        why=why,
         basis="true" if known else "believed",
         mode=MODE_LETTERS[int(run.mode[-1])],
         held_s=held_s,
@@ -128,20 +149,43 @@ def outcome_of(
     )
 
 
-def _completed(run: Columns, errors: Errors, held_s: float, period_s: float) -> tuple[Ending, str]:
-    where = _where(run, errors)
-    if held_s >= HOLD_S - 0.5 * period_s:
-        return Ending.DOCKED, f"held in hover for {held_s:.1f} s, {where}."
+Said = tuple[Ending, str, str]  # ending, reason, why
+
+
+def _completed(
+    run: Columns, errors: Errors, held_s: float, period_s: float, limits: Limits, dock: Capture | None
+) -> Said:
+    where, stay = _where(run, errors), f"{held_s:.1f} s"
+    if dock and dock.captured:
+        return Ending.DOCKED, dock.sentence, "captured"
+    if not dock and held_s >= limits.hold_s - 0.5 * period_s:
+        return Ending.DOCKED, f"held in hover for {stay}, {where}.", "held within the limits"
     if int(run.stage[-1]) in WAVED_OFF_STAGES:
-        return Ending.WAVED_OFF, f"the approach was given up ({_why(int(run.reason[-1]))}), {where}."
+        why = _reason(int(run.reason[-1]))
+        return Ending.WAVED_OFF, f"the approach was given up ({why}), {where}.", why
     if run.mode[-1] == HOVER:
-        return Ending.HELD, f"in hover, {where}; within the limits for {held_s:.1f} s of {HOLD_S:g} s."
-    return Ending.TIME_OVER, f"the time was over before hover, {where}."
+        if dock:
+            return Ending.HELD, f"in hover before the dock, {where}; not captured.", "not captured"
+        text = f"in hover, {where}; within the limits for {stay} of {limits.hold_s:g} s."
+        return Ending.HELD, text, _missed(errors.at(-1), limits)
+    why = f"still in {LOOKS[int(run.mode[-1])].key}"
+    return Ending.TIME_OVER, f"the time was over before hover, {where}.", why
 
 
-def _held_s(run: Columns, errors: Errors, period_s: float) -> float:
-    within = (run.mode == HOVER) & (errors.position <= POSITION_M)
-    within &= (np.abs(errors.heading) <= HEADING_DEG) & (errors.speed <= SPEED_MPS)
+def _missed(end: EndErrors, limits: Limits) -> str:
+    """Which limits the last cycle is outside of."""
+    far = {
+        "position": end.position_m > limits.position_m,
+        "heading": abs(end.heading_deg) > limits.heading_deg,
+        "speed": end.speed_mps > limits.speed_mps,
+    }
+    said = " and ".join(name for name, missed in far.items() if missed)
+    return f"{said} out of the limits" if said else "within the limits, not for long enough"
+
+
+def _held_s(run: Columns, errors: Errors, period_s: float, limits: Limits) -> float:
+    within = (run.mode == HOVER) & (errors.position <= limits.position_m)
+    within &= (np.abs(errors.heading) <= limits.heading_deg) & (errors.speed <= limits.speed_mps)
     if not within[-1]:
         return 0.0
     # the stay begins after the last cycle that was outside, or after the last gap
@@ -151,18 +195,20 @@ def _held_s(run: Columns, errors: Errors, period_s: float) -> float:
     return float(run.time[-1] - run.time[first]) + period_s
 
 
-def _why(reason: int) -> str:
-    """A WaveOffReason in words, where the contract has them."""
-    kinds = getattr(pb, "WaveOffReason", None)
-    name = kinds.Name(reason) if kinds is not None and reason in kinds.values() else f"reason {reason}"
+def _reason(number: int) -> str:
+    """A WaveOffReason in words."""
+    kinds = pb.WaveOffReason
+    name = kinds.Name(cast("pb.WaveOffReason", number)) if number in kinds.values() else f"reason {number}"
     return name.removeprefix("WAVE_OFF_REASON_").replace("_", " ").lower()
 
 
-def _hit(run: Columns, errors: Errors, row: int, in_plane: np.ndarray) -> str:
-    return (
-        f"the hull went through the dock's plane {in_plane[row]:.2f} m from the marker, "
+def _collided(run: Columns, errors: Errors, clearance: Clearance) -> Said:
+    row = int(np.argmax(clearance.inside))
+    text = (
+        f"the hull was in the dock, {clearance.to_marker[row]:.2f} m from its marker, "
         f"{run.time[row]:.1f} s after the start, at {errors.speed[row]:.2f} m/s."
     )
+    return Ending.COLLIDED, text, f"in the dock in {LOOKS[int(run.mode[row])].key}"
 
 
 def _where(run: Columns, errors: Errors) -> str:

@@ -8,6 +8,7 @@ from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.enums import FORWARD, HOVER, REVERSE, SOLVED
 from bumpless.contract.messages import as_json
 from bumpless.contract.units import DEG, EDGE_PER_SI, WRENCH
+from bumpless.metrics.capture import capture_of
 from bumpless.metrics.columns import Columns, Floats
 from bumpless.metrics.cost import cost_of
 from bumpless.metrics.modes import ModeFigures, mode_figures
@@ -52,6 +53,9 @@ def metrics_of(run: Columns, vehicle: "Vehicle", run_id: str = "") -> pb.Metrics
     cost = cost_of(run, vehicle)
     message.shaft_energy_j, message.fin_travel_deg = cost.shaft_energy_j, cost.fin_travel_deg
     message.screw_reversals = cost.screw_reversals
+    dock = capture_of(run)
+    if dock:
+        message.capture.CopyFrom(dock.message())
     message.final_range_m = float(run.range[-1])
     message.increment_violations = increment_violations(run, lower, upper)
     message.demand_step_violations = demand_step_violations(run)

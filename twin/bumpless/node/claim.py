@@ -1,13 +1,13 @@
 """One vehicle id, one node: see who else wants it, and give way by a rule both sides come to alike."""
 
 import time
-from collections.abc import Callable
 
 import zenoh
 
 from bumpless.contract import keys
 from bumpless.node.links import wait_for_links
 
+MOST_CLAIMS = 64  # remembered of others
 ASK_S = 1.0  # for a bus that doesn't answer; one that does takes milliseconds
 
 
@@ -20,22 +20,16 @@ class Claim:
 
     A vehicle says nothing before `stake` and `confirm` have passed: both refuse when the id is alive.
     After that every node sees the claims of all others, also of one that was cut off from the bus while
-    both started: the older claim stays, the younger node calls `give_way` with a reason. Equal times are
+    both started: the older claim stays, `contested` tells the younger one why it must leave. Equal times are
     told apart by session id, so exactly one stays. `connects` says that there should be a bus to link with.
     """
 
-    def __init__(
-        self,
-        session: zenoh.Session,
-        vehicle: str,
-        give_way: Callable[[str], None],
-        connects: bool = False,
-    ) -> None:
+    def __init__(self, session: zenoh.Session, vehicle: str, connects: bool = False) -> None:
         self._session = session
         self._vehicle = vehicle
-        self._give_way = give_way
         self._connects = connects
         self._mine = ("", "")
+        self._older: dict[str, str] = {}  # claims older than ours by session id; written on Zenoh's thread
         self._held: list[zenoh.LivelinessToken | zenoh.Subscriber] = []
 
     def stake(self) -> None:
@@ -55,7 +49,7 @@ class Claim:
         self._refuse_alive()
         for key in self._alive(keys.claim(self._vehicle, "*", "*")):
             if _claimed(key) < self._mine:
-                raise TakenError(self._older(key))
+                raise TakenError(self._why(key))
 
     def declare_alive(self) -> None:
         """Say that the vehicle is ready."""
@@ -74,12 +68,36 @@ class Claim:
         replies = self._session.liveliness().get(key, timeout=ASK_S)
         return [str(reply.ok.key_expr) for reply in replies if reply.ok is not None]
 
+    def contested(self) -> str | None:
+        """Why this node must give way; None while no older node serves the vehicle.
+
+        A claim alone is not enough: anybody can say one. Its session must answer as a vehicle does.
+        """
+        older = dict(self._older)
+        if not older:
+            return None
+        replies = self._session.get(
+            keys.schema(self._vehicle),
+            timeout=ASK_S,
+            target=zenoh.QueryTarget.ALL,
+            consolidation=zenoh.ConsolidationMode.NONE,
+        )
+        for reply in replies:
+            if reply.ok is not None and reply.replier_id is not None:
+                key = older.get(str(reply.replier_id.zid))
+                if key is not None:
+                    return self._why(key)
+        return None
+
     def _seen(self, sample: zenoh.Sample) -> None:
         key = str(sample.key_expr)
-        if sample.kind == zenoh.SampleKind.PUT and _claimed(key) < self._mine:
-            self._give_way(self._older(key))
+        claimed = _claimed(key)
+        if sample.kind != zenoh.SampleKind.PUT:
+            self._older.pop(claimed[1], None)
+        elif claimed < self._mine and len(self._older) < MOST_CLAIMS:
+            self._older[claimed[1]] = key
 
-    def _older(self, key: str) -> str:
+    def _why(self, key: str) -> str:
         return f"{self._vehicle} is an older node's already (session {_claimed(key)[1]}); giving way"
 
 

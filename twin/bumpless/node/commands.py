@@ -1,29 +1,29 @@
-"""Requests from the bus: read and checked here, off the loop, then handed to it and answered."""
+"""Requests from the bus: who may still ask for what, answered on two lanes, the urgent one for stopping."""
 
-import threading
-from collections.abc import Callable, Sequence
-from queue import SimpleQueue
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import zenoh
-from google.protobuf.message import DecodeError, Message
 
-from bumpless.config.problems import Problem
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract import keys
+from bumpless.node.carry_out import LARGEST_REQUEST, Executor
 from bumpless.node.flight import Flight
-from bumpless.node.loop import ControlLoop, Handoff
-from bumpless.telemetry import problem_messages, run_id
+from bumpless.node.lane import Lane
+from bumpless.node.loop import ControlLoop
+from bumpless.node.order import URGENT, Answers, Order, Stops, header_of
 
 if TYPE_CHECKING:
     from bumpless.config.vehicle import Vehicle
 
-ANSWER_S = 2.0  # longest wait for the loop, many cycles
-LARGEST_REQUEST = 1_000_000  # bytes; reading a larger one would take the interpreter from the loop
+MOST_WAITING = 16  # on each lane
 
 
 class Commander:
-    """Answers `bumpless/<vehicle>/cmd/*`, one request after the other; accepted means done."""
+    """Answers `bumpless/<vehicle>/cmd/*`. A request is carried out before it expires, once, or not at all.
+
+    `now_ns` is the clock that requests expire by; None in virtual time, where they don't.
+    """
 
     def __init__(
         self,
@@ -33,108 +33,86 @@ class Commander:
         loop: ControlLoop,
         time_ns: Callable[[], int],
         shutdown: Callable[[str], None],
+        session_id: str = "",
+        now_ns: Callable[[], int] | None = None,
     ) -> None:
         self._name = name  # on the bus
-        self._vehicle = vehicle
-        self._flight = flight  # read here; changed by the loop alone
-        self._loop = loop
-        self._time_ns = time_ns
+        self._session_id = session_id
+        self._now_ns = now_ns
         self._shutdown = shutdown
-        self._queries: SimpleQueue[zenoh.Query | None] = SimpleQueue()
-        self._thread = threading.Thread(target=self._serve, name="commands", daemon=True)
+        self._executor = Executor(vehicle, flight, loop, time_ns)
+        self._answers = Answers()
+        self._stops = Stops()
+        self._ordinary = Lane("commands", MOST_WAITING, self._serve)
+        self._urgent = Lane("urgent", MOST_WAITING, self._serve)
 
     def start(self) -> None:
         """Begin to answer."""
-        self._thread.start()
+        self._ordinary.start()
+        self._urgent.start()
 
     def close(self) -> None:
         """Answer what has arrived, then end."""
-        self._queries.put(None)
-        self._thread.join()
+        self._ordinary.close()
+        self._urgent.close()
 
     def enqueue(self, query: zenoh.Query) -> None:
         """The queryable's callback, on Zenoh's thread."""
-        self._queries.put(query)
+        verb = str(query.key_expr).rsplit("/", 1)[-1]
+        if query.payload is not None and len(query.payload) > LARGEST_REQUEST:
+            reason = f"a request has at most {LARGEST_REQUEST} bytes, not {len(query.payload)}"
+            self._reply(query, verb, pb.CommandReply(reason=reason))
+            return
+        before = self._stops.arrived(verb)
+        lane = self._urgent if verb in URGENT else self._ordinary
+        if not lane.offer((query, verb, before)):
+            self._stops.answered(verb)
+            reason = f"{MOST_WAITING} requests wait already"
+            self._reply(query, verb, pb.CommandReply(reason=reason, cause=pb.REFUSAL_CAUSE_BUSY))
 
-    def _serve(self) -> None:
-        while (query := self._queries.get()) is not None:
-            with query:
-                verb = str(query.key_expr).rsplit("/", 1)[-1]
-                payload = b"" if query.payload is None else query.payload.to_bytes()
-                reply = self.answer(verb, payload)
-                if verb in keys.COMMANDS:
-                    query.reply(
-                        keys.command(self._name, verb),
-                        reply.SerializeToString(),
-                        encoding=keys.encoding_of(reply),
-                        express=True,
-                    )
-                else:
-                    query.reply_err(reply.reason.encode())
-            if verb == "shutdown" and reply.accepted:
-                self._shutdown("stopped by command")
+    def _serve(self, asked: tuple[zenoh.Query, str, int]) -> None:
+        query, verb, before = asked
+        header = header_of(None if query.attachment is None else query.attachment.to_bytes())
+        payload = b"" if query.payload is None else query.payload.to_bytes()
+        try:
+            order = Order(verb, payload, header or pb.RequestHeader(), self._now_ns, self._stops, before)
+            reply = self.take(order)
+        finally:
+            self._stops.answered(verb)
+        self._reply(query, verb, reply)
+        if verb == "shutdown" and reply.accepted:
+            self._shutdown("stopped by command")
+
+    def take(self, order: Order) -> pb.CommandReply:
+        """The reply to a request from the bus, by its header first."""
+        header = order.header
+        if header.session_id and header.session_id != self._session_id:
+            reason = f"it was meant for session {header.session_id}, this is {self._session_id}"
+            return pb.CommandReply(reason=reason, id=header.id, cause=pb.REFUSAL_CAUSE_NOT_ADDRESSED)
+        known = self._answers.of(order) if header.id else None
+        if known is not None:
+            return known
+        if not header.id and order.verb not in URGENT and order.verb in keys.COMMANDS:
+            reason = "it has no header with an id and an expiry"
+            return self._executor.refuse(order, reason, cause=pb.REFUSAL_CAUSE_NO_HEADER)
+        void = order.void()
+        reply = self._executor.refuse(order, void[0], cause=void[1]) if void else self._executor.answer(order)
+        reply.id = header.id
+        self._answers.keep(order, reply)
+        return reply
 
     def answer(self, verb: str, payload: bytes) -> pb.CommandReply:
-        """The reply to one request, once the loop has carried it out or it was refused."""
-        if verb not in keys.COMMANDS:
-            return self._refuse(verb, f"there is no command {verb!r}; known are {', '.join(keys.COMMANDS)}")
-        if len(payload) > LARGEST_REQUEST:
-            return self._refuse(verb, f"a request has at most {LARGEST_REQUEST} bytes, not {len(payload)}")
-        try:
-            request = keys.COMMANDS[verb].FromString(payload)
-        except DecodeError:
-            return self._refuse(verb, f"the request is not a {keys.COMMANDS[verb].DESCRIPTOR.full_name}")
-        try:
-            return self._carry_out(verb, request)
-        except Exception as fault:  # one bad request must not leave the vehicle deaf to the next
-            return self._refuse(verb, f"{type(fault).__name__}: {fault}")
+        """The reply to a request that did not come from the bus: it needs no header."""
+        return self._executor.answer(Order(verb, payload))
 
-    def _carry_out(self, verb: str, request: Message) -> pb.CommandReply:
-        if verb == "shutdown":
-            return pb.CommandReply(accepted=True, reason="the vehicle node is stopping")
-        if verb == "start":
-            return self._start(request)
-        if verb == "set_parameters":
-            return self._set_parameters(request)
-        return self._hand_over(verb, lambda flight: getattr(flight, verb)())
-
-    def _start(self, request: Message) -> pb.CommandReply:
-        from bumpless.config.mission import MissionError, parse_mission
-        from bumpless.config.parameters import ParameterError, check, with_overrides
-
-        assert isinstance(request, pb.StartMission)
-        try:
-            mission = parse_mission(request.mission_yaml, request.file_name or "mission.yaml", self._vehicle)
-        except MissionError as error:
-            return self._refuse("start", "the mission file is not valid", error.problems)
-        try:
-            parameters = with_overrides(self._flight.chosen, mission.parameters)
-        except ParameterError as error:
-            return self._refuse("start", "the mission's parameters are not valid", error.problems)
-        problems = check(parameters, self._vehicle, mission.source)
-        if problems:
-            return self._refuse("start", "the mission's parameters are out of range", problems)
-        seed = request.seed if request.HasField("seed") else None
-        run = run_id(mission.name, self._time_ns())
-        return self._hand_over("start", lambda flight: flight.start(mission, seed, parameters, run))
-
-    def _set_parameters(self, request: Message) -> pb.CommandReply:
-        from bumpless.config.parameters import ParameterError, check, from_message
-
-        assert isinstance(request, pb.Parameters)
-        try:
-            active = from_message(request, self._flight.state.parameters)
-            chosen = from_message(request, self._flight.chosen)
-            problems = check(active, self._vehicle)
-        except ParameterError as error:
-            return self._refuse("set_parameters", "parameters are out of range", error.problems)
-        if problems:
-            return self._refuse("set_parameters", "parameters are out of range", problems)
-        return self._hand_over("set_parameters", lambda flight: flight.set_parameters(active, chosen))
-
-    def _refuse(self, verb: str, reason: str, problems: Sequence[Problem] = ()) -> pb.CommandReply:
-        told = problem_messages(problems)
-        return self._hand_over(verb, lambda flight: flight.refuse(verb, reason, told))
-
-    def _hand_over(self, verb: str, apply: Callable[[Flight], pb.CommandReply]) -> pb.CommandReply:
-        return self._loop.submit(Handoff(verb, apply)).reply(ANSWER_S)
+    def _reply(self, query: zenoh.Query, verb: str, reply: pb.CommandReply) -> None:
+        with query:
+            if verb in keys.COMMANDS:
+                query.reply(
+                    keys.command(self._name, verb),
+                    reply.SerializeToString(),
+                    encoding=keys.encoding_of(reply),
+                    express=True,
+                )
+            else:
+                query.reply_err(reply.reason.encode())

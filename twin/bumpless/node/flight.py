@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 import numpy as np
 
 from bumpless.contract import bumpless_pb2 as pb
-from bumpless.contract.enums import FLYING, MOVING, PAUSED, RUNNING, WARNING
+from bumpless.contract.enums import ALARM, FLYING, MOVING, PAUSED, RUNNING, WARNING
 from bumpless.sim.events import TwinEvent
 from bumpless.telemetry import FlightState
 
@@ -80,19 +80,47 @@ class Flight:
         self.twin.abort(reason)
         return self._done(reason)
 
-    def set_parameters(self, active: "Parameters", chosen: "Parameters") -> pb.CommandReply:
-        """Fly with `active` from the next cycle on (the twin blends them in), later runs with `chosen`."""
+    def abort_or_stay(self) -> pb.CommandReply:
+        """Abort while a start waits that this abort has made void: nothing flown is as good as ended."""
+        if self.twin.phase in FLYING:
+            return self.abort()
+        return self._done("nothing is flown, and the start that waited is refused")
+
+    def set_parameters(
+        self, active: "Parameters", chosen: "Parameters", seen: int | None = None
+    ) -> pb.CommandReply:
+        """Fly with `active` from the next cycle on (the twin blends them in), later runs with `chosen`.
+
+        `seen` is the revision that the change was made from; another one in force refuses it.
+        """
+        if seen is not None and seen != self.state.revision:
+            reason = f"they were made from revision {seen}, and revision {self.state.revision} is in force"
+            return self.refuse("set_parameters", reason, cause=pb.REFUSAL_CAUSE_STALE_REVISION)
         self.twin.set_parameters(active)
         self.chosen = chosen
         self.state = replace(self.state, parameters=active, revision=self.state.revision + 1)
         return self._done(f"parameters are in force as revision {self.state.revision}")
 
-    def refuse(self, verb: str, reason: str, problems: Sequence[pb.Problem] = ()) -> pb.CommandReply:
+    def refuse(
+        self,
+        verb: str,
+        reason: str,
+        problems: Sequence[pb.Problem] = (),
+        cause: pb.RefusalCause = pb.REFUSAL_CAUSE_UNSPECIFIED,
+    ) -> pb.CommandReply:
         """Say no, and put it on record as an event."""
         details = {"verb": verb, "reason": reason}
         text = f"Command {verb} refused: {reason}."
         self._events.append(TwinEvent(WARNING, "command_refused", text, details, self._time_s))
-        return pb.CommandReply(accepted=False, reason=reason, problems=problems, revision=self.state.revision)
+        return pb.CommandReply(
+            accepted=False, reason=reason, problems=problems, revision=self.state.revision, cause=cause
+        )
+
+    def warn_of_rival(self, reason: str) -> pb.CommandReply:
+        """Put on record that another node speaks for this vehicle while it flies."""
+        text = f"Another node claims this vehicle; this one flies on: {reason}."
+        self._events.append(TwinEvent(ALARM, "second_speaker", text, {"reason": reason}, self._time_s))
+        return self._done(reason)
 
     def step(self) -> tuple[np.void, list[TwinEvent]]:
         """One control cycle: its row (valid until the next) and what happened since the last."""

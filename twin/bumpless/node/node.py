@@ -10,13 +10,15 @@ import zenoh
 
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract import keys
+from bumpless.contract.enums import FLYING
+from bumpless.contract.exits import FAILED, TAKEN
 from bumpless.contract.messages import descriptor_set
 from bumpless.contract.version import software_version
 from bumpless.node.claim import Claim
 from bumpless.node.commands import Commander
 from bumpless.node.flight import Flight, TwinLike
 from bumpless.node.health import HealthReport
-from bumpless.node.loop import ControlLoop
+from bumpless.node.loop import ControlLoop, Handoff
 from bumpless.node.pacing import FreeClock, WallClock
 from bumpless.node.publisher import BusWriter, Publisher
 from bumpless.node.ring import Ring
@@ -25,6 +27,8 @@ from bumpless.telemetry import Teller
 
 if TYPE_CHECKING:
     from bumpless.config.vehicle import Vehicle
+
+LOOK_S = 0.25  # between looks at who else claims the vehicle
 
 
 class Node:
@@ -43,7 +47,8 @@ class Node:
         self._session, self._name, self._stop = session, name, stop
         clock = WallClock(period_ns) if realtime else FreeClock(period_ns)
         ring = Ring(lossless=not realtime)
-        flight = Flight(twin)
+        self._flight = flight = Flight(twin)
+        self._told_of_rival = False
         self._loop = ControlLoop(flight, clock, ring)
         teller = Teller(
             replace(vehicle, id=name),
@@ -53,7 +58,16 @@ class Node:
             health=HealthReport(self._loop, ring),
         )
         self._publisher = Publisher(ring, teller, BusWriter(session, name, wait=not realtime))
-        self._commander = Commander(name, vehicle, flight, self._loop, clock.time_ns, stop)
+        self._commander = Commander(
+            name,
+            vehicle,
+            flight,
+            self._loop,
+            clock.time_ns,
+            stop,
+            str(session.zid()),
+            clock.time_ns if realtime else None,
+        )
 
     def run(
         self, claim: Claim, first: pb.StartMission | None, say: Callable[[str], None]
@@ -77,7 +91,8 @@ class Node:
             say(reply.reason)
             for problem in reply.problems:
                 say(f"{problem.file}:{problem.line}: {problem.field}: {problem.rule}")
-        self._stop.event.wait()
+        while not self._stop.event.wait(LOOK_S):
+            self._look_at(claim)
         self._loop.stop(self._stop.reason)
         thread.join()
         self._publisher.join()
@@ -86,8 +101,19 @@ class Node:
         self._commander.close()
         return self._loop.fault
 
+    def _look_at(self, claim: Claim) -> None:
+        """Give way to an older node, but never in flight: then it is said, and settled afterwards."""
+        reason = claim.contested()
+        if reason is None:
+            self._told_of_rival = False
+        elif self._flight.twin.phase not in FLYING:
+            self._stop(reason, TAKEN)
+        elif not self._told_of_rival:
+            self._told_of_rival = True
+            self._loop.submit(Handoff("claim", lambda flight: flight.warn_of_rival(reason)))
+
     def _ended(self) -> None:
-        self._stop("the control loop has ended", 1)
+        self._stop("the control loop has ended", FAILED)
 
     def _serve(self) -> list[zenoh.Queryable[None]]:
         schema_key, contract = keys.schema(self._name), descriptor_set(pb.Stamp)

@@ -91,7 +91,7 @@ def _run(options: Options, stop: Stop) -> int:
         return stop.code
     with session:
         connects = bool(options.connect)
-        claim = Claim(session, options.vehicle_id, lambda reason: stop(reason, TAKEN), connects)
+        claim = Claim(session, options.vehicle_id, connects)
         try:
             claim.stake()
             twin = ready_twin(vehicle, options.make_twin, say)

@@ -11,6 +11,7 @@ Differs: the paper takes the hull of sampled commands, which stays inside the tr
 """
 
 from collections.abc import Sequence
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -38,9 +39,9 @@ def attainable_sets(
     Source: eq. (37)-(40).
     """
     directions, faces = direction_sphere(n_directions)
-    clouds = [actuator_cloud(model, surge_speed_mps, int(i), LEVELS) for i in select(model, actuators)]
-    force = _support_points([cloud[:, :3] for cloud in clouds], directions)
-    moment = _support_points([cloud[:, 3:] for cloud in clouds], directions)
+    clouds, starts = actuator_clouds(model, surge_speed_mps, select(model, actuators), LEVELS)
+    force = _support_points(clouds[:, :3].copy(), starts, directions)
+    moment = _support_points(clouds[:, 3:].copy(), starts, directions)
     return Envelope(Hull(force, faces), Hull(moment, faces))
 
 
@@ -86,45 +87,61 @@ def wrench_curves(model, surge_speed, commands, chosen):
     return curves
 
 
-def actuator_cloud(model: np.record, surge_speed: float, first: int, count: int) -> Array:
-    """Wrenches (m, 6) of the actuator whose first slot is `first`: `count` levels of each of its commands
-    from lower to upper bound, in every combination."""
-    parts, n = model["part"], int(model["n_u"])
-    end = next((i for i in range(first + 1, n) if parts[i] == 0), n)
+def actuator_clouds(
+    model: np.record, surge_speed: float, chosen: NDArray[np.int64], count: int
+) -> tuple[Array, NDArray[np.int64]]:
+    """Wrenches (m, 6) of the actuators whose first slots are chosen (k,): `count` levels of each of their
+    commands from lower to upper bound, in every combination. Those of actuator i are the rows from starts[i]
+    to starts[i + 1]; starts: (k + 1,)."""
+    n = int(model["n_u"])
+    first = np.append(np.flatnonzero(model["part"][:n] == 0), n)
+    slots = first[np.searchsorted(first, chosen) + 1] - chosen
+    starts = np.concatenate(([0], np.cumsum(count**slots)))
     levels = np.linspace(model["command_min"][:n], model["command_max"][:n], count)
-    mesh = np.meshgrid(*(levels[:, i] for i in range(first, end)), indexing="ij")
-    commands = np.zeros((mesh[0].size, n))
-    commands[:, first:end] = np.stack([m.ravel() for m in mesh], axis=1)
-    return wrench_curves(model, surge_speed, commands, np.array([first]))[0]
+    return _combined(model, surge_speed, levels, chosen, slots, starts), starts
 
 
-def _support_points(clouds: Sequence[Array], directions: Array) -> Array:
+@allocating
+def _combined(model, surge_speed, levels, chosen, slots, starts):
+    """Wrenches (starts[-1], 6) of every combination of levels (count, n), the last slot's running fastest."""
+    nu_r = np.zeros(6)
+    nu_r[0] = surge_speed
+    clouds = np.zeros((starts[-1], 6))
+    command = np.zeros(levels.shape[1])
+    for k in range(len(chosen)):
+        for row in range(starts[k], starts[k + 1]):
+            rest = row - starts[k]
+            for slot in range(chosen[k] + slots[k] - 1, chosen[k] - 1, -1):
+                command[slot] = levels[rest % levels.shape[0], slot]
+                rest //= levels.shape[0]
+            actuator_wrench(model, chosen[k], command, nu_r, clouds[row])
+    return clouds
+
+
+@allocating
+def _support_points(clouds, starts, directions):
     """Points (n, 3) of the Minkowski sum of clouds (m, 3), outermost in each direction.
 
     Directions are spread over the set scaled to equal widths along the axes: a thin set, such as the rudders'
     forces, would else be seen from its broad sides only.
     """
     points, width = np.zeros((len(directions), 3)), np.zeros(3)
-    for cloud in clouds:
-        width += np.ptp(cloud, axis=0)
-    width[width <= 1e-9 * width.max()] = 1.0
-    for cloud in clouds:
-        _add_outermost(np.ascontiguousarray(cloud), directions / width, points)
-    return points
-
-
-@allocating
-def _add_outermost(cloud, directions, points):
-    """Add to points (n, 3) the point of the cloud (m, 3) that is outermost in each direction (n, 3)."""
-    for j in range(len(directions)):
-        x, y, z = directions[j, 0], directions[j, 1], directions[j, 2]
-        best, at = -np.inf, 0
-        for level in range(cloud.shape[0]):
-            reach = x * cloud[level, 0] + y * cloud[level, 1] + z * cloud[level, 2]
-            if reach > best:
-                best, at = reach, level
+    for i in range(len(starts) - 1):
         for c in range(3):
-            points[j, c] += cloud[at, c]
+            cloud = clouds[starts[i] : starts[i + 1], c]
+            width[c] += cloud.max() - cloud.min()
+    width[width <= 1e-9 * width.max()] = 1.0
+    for j in range(len(directions)):
+        x, y, z = directions[j, 0] / width[0], directions[j, 1] / width[1], directions[j, 2] / width[2]
+        for i in range(len(starts) - 1):
+            best, at = -np.inf, 0
+            for row in range(starts[i], starts[i + 1]):
+                reach = x * clouds[row, 0] + y * clouds[row, 1] + z * clouds[row, 2]
+                if reach > best:
+                    best, at = reach, row
+            for c in range(3):
+                points[j, c] += clouds[at, c]
+    return points
 
 
 def _grid(model: np.record, surge_speed: float, chosen: NDArray[np.int64], count: int) -> Envelope:
@@ -133,12 +150,12 @@ def _grid(model: np.record, surge_speed: float, chosen: NDArray[np.int64], count
     Corners are kept after each actuator: the hull of a sum is the hull of the sum of corners, so the
     result is that of all combinations.
     """
-    clouds = [actuator_cloud(model, surge_speed, int(i), count) for i in chosen]
+    clouds, starts = actuator_clouds(model, surge_speed, chosen, count)
     hulls = []
     for half in (slice(0, 3), slice(3, 6)):
         hull = hull_of_points(np.zeros((1, 3)))
-        for cloud in clouds:
-            hull = hull_of_points((hull.vertices[:, None, :] + cloud[None, :, half]).reshape(-1, 3))
+        for start, end in pairwise(starts):
+            hull = hull_of_points((hull.vertices[:, None, :] + clouds[None, start:end, half]).reshape(-1, 3))
         hulls.append(hull)
     return Envelope(hulls[0], hulls[1])
 

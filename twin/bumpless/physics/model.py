@@ -4,10 +4,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bumpless.config.vehicle import Vehicle
-from bumpless.config.vehicle.parts import Mass
+from bumpless.config.vehicle.flow import ScrewFlow
+from bumpless.config.vehicle.parts import Fin, Mass, MyringHull
 from bumpless.contract.units import WRENCH
 from bumpless.physics.actuators import fill_actuator
+from bumpless.physics.actuators.screw_flow import fill_screw_flow
+from bumpless.physics.actuators.thruster import HAND
+from bumpless.physics.dock.contact import hull_rings
 from bumpless.physics.hydrodynamics import hull_coefficients
+from bumpless.physics.hydrodynamics.myring import HullStrips
 from bumpless.physics.model_record import MODEL
 
 
@@ -31,11 +36,33 @@ def build_model(vehicle: Vehicle) -> np.record:
     model["D_quadratic"] = coefficients.D_quadratic
     model["D_lift"] = coefficients.D_lift
     model["controllable"] = [float(name in vehicle.controllable) for name in WRENCH]
+    if isinstance(vehicle.hull, MyringHull):
+        strips = HullStrips(vehicle.hull)
+        model["rings"] = hull_rings(strips.x[::-1], strips.radius[::-1])[0]
     end = 0
     for actuator in vehicle.actuators:
         end = fill_actuator(model, end, actuator, water.water_density_kgpm3)
     model["n_u"] = end
     return model
+
+
+def fill_flow(model: np.void, vehicle: Vehicle) -> None:
+    """Add to a MODEL record what the vehicle's file says of flow at screws and fins, and switch it on."""
+    first = first_slots(vehicle)
+    model["flow"] = 1
+    for i, actuator in zip(first.values(), vehicle.actuators, strict=True):
+        if isinstance(actuator, Fin):
+            if actuator.wash:
+                model["washed_by"][i] = 1 + first[actuator.wash.screw]
+                model["washed_share"][i] = actuator.wash.share
+        else:
+            fill_screw_flow(model, i, actuator, actuator.flow or ScrewFlow(), HAND[actuator.hand])
+
+
+def first_slots(vehicle: Vehicle) -> dict[str, int]:
+    """The first slot of each actuator, by its name."""
+    ends = np.cumsum([len(actuator.commands) for actuator in vehicle.actuators])
+    return {a.name: int(end) - len(a.commands) for a, end in zip(vehicle.actuators, ends, strict=True)}
 
 
 def rigid_body_mass(mass: Mass) -> NDArray[np.float64]:

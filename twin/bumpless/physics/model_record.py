@@ -5,6 +5,7 @@ vehicle: capacity is fixed (`MAX_ACTUATORS`), unused entries are zero. Order of 
 import numpy as np
 
 from bumpless.config.capacity import MAX_ACTUATORS as _n
+from bumpless.physics.dock.record import HULL_RINGS
 
 f8, i8 = np.float64, np.int64
 
@@ -24,6 +25,7 @@ MODEL = np.dtype(
         ("D_linear", f8, (6, 6)),
         ("D_quadratic", f8, (6, 6)),
         ("D_lift", f8, (6, 6)),
+        ("rings", HULL_RINGS),  # of a hull of revolution, from the nose; what can touch a dock
         ("controllable", f8, 6),  # 1 where the actuators can act, 0 elsewhere (S_c)
         # one entry for each command; what belongs to an actuator stands at its first, see `physics.actuators`
         ("n_u", i8),
@@ -50,6 +52,21 @@ MODEL = np.dtype(
         ("C_D2", f8, _n),  # 1/rad^2
         ("stall_angle", f8, _n),  # rad
         ("reverse_lift", f8, _n),  # share of C_La left when the flow meets the trailing edge
+        # flow at the actuators, of the simulated vehicle only, see `physics.actuators.screw_flow`; zero: none
+        ("flow", i8),  # 1: with all that follows
+        ("T_vv", f8, _n),  # drag of the stopped screw, N s^2/m^2
+        ("T_no", f8, _n),  # T_nv against the flow
+        ("Q_vv", f8, _n),  # N m s^2/m^2
+        ("Q_no", f8, _n),
+        ("deduction", f8, _n),  # share of the thrust ahead that the hull loses
+        ("deduction_astern", f8, _n),
+        ("cross_loss", f8, _n),  # s^2/m^2
+        ("dead_band", f8, _n),  # rev/s
+        ("least_speed", f8, _n),  # rev/s
+        ("disc_area", f8, _n),  # m^2
+        ("inflow_share", f8, _n),  # 1 - w
+        ("washed_by", i8, _n),  # 1 + slot of the screw in whose stream a fin stands; 0: none
+        ("washed_share", f8, _n),  # of the fin's area
         ("fins_coast", i8),  # 1: the allocator takes fin drag as given and does not brake with fins
         ("smoothing", f8),  # thrust share below which the allocator eases a screw through zero
     ],

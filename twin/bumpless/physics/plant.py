@@ -9,6 +9,7 @@ from bumpless.config.capacity import MAX_ACTUATORS as _n
 from bumpless.jit import jit
 from bumpless.jit.memory import floats
 from bumpless.physics.actuators import lag_rate, total_wrench
+from bumpless.physics.dock.latch import close_latch, feel_dock
 from bumpless.physics.dynamics import body_acceleration, displaced_water_force
 from bumpless.physics.faults import blend_faults
 from bumpless.physics.frames import body_to_ned, euler_rates, ned_to_body
@@ -62,6 +63,8 @@ def state_rate(model, environment, gust, effectiveness, time, x, command, rate):
     nu_c_dot[2] -= nu[3] * body[1] - nu[4] * body[0]
     for k in range(6):
         tau[k] += environment.tau_e[k]
+    if environment.dock.present == 1:
+        feel_dock(environment.dock, model.rings, eta, nu, time, tau)
     body_acceleration(model, eta, nu, nu_r, nu_c_dot, tau, force, rate[6:12])
     body_to_ned(phi, theta, psi, nu, rate)
     rate[3], rate[4], rate[5] = euler_rates(phi, theta, nu[3], nu[4], nu[5])
@@ -78,6 +81,7 @@ def step_plant(model, environment, faults, plant, command, dt, substeps, noise):
     noise: the cycle's standard normal samples, for gusts and eddies.
     """
     step_gust(environment, plant.gust, dt, noise)
+    environment.dock.felt.peak = 0.0
     x, k, mid, total = floats(N_STATE), floats(N_STATE), floats(N_STATE), floats(N_STATE)
     for i in range(6):
         x[i] = plant.eta[i]
@@ -103,6 +107,8 @@ def step_plant(model, environment, faults, plant, command, dt, substeps, noise):
         for i in range(N_STATE):
             x[i] += h / 6.0 * (total[i] + k[i])
         plant.time = t + h
+        if environment.dock.present == 1:
+            close_latch(environment.dock)
     blend_faults(faults, plant.time, plant.effectiveness)
     for i in range(6):
         plant.eta[i] = x[i]

@@ -112,6 +112,7 @@ MEASUREMENT = np.dtype(  # a sample stays until the sensor gives the next one
         ("usbl_fresh", i8),  # 1 in a cycle with a new reply of the target's transponder
         ("usbl", f8, 3),  # range m, bearing rad, elevation rad in body axes, from the USBL's head
         ("u_feedback", f8, _n),
+        ("captured", i8),  # the switch of the dock's latch
     ],
     align=True,
 )

@@ -9,6 +9,7 @@ import numpy as np
 
 from bumpless.config.capacity import MAX_PROFILE
 from bumpless.jit import jit
+from bumpless.physics.dock.record import DOCK
 from bumpless.physics.lag import decay
 from bumpless.physics.wake import shelter, step_eddies
 
@@ -34,6 +35,7 @@ ENVIRONMENT = np.dtype(  # what acts on a vehicle besides itself
         ("wave_direction", f8),  # rad, towards
         ("wave_second_order", i8),  # 1: with the convective acceleration
         ("tau_e", f8, 6),  # constant external load, N and N m
+        ("dock", DOCK),
     ],
     align=True,
 )

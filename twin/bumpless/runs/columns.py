@@ -9,13 +9,15 @@ from typing import Any
 import numpy as np
 from google.protobuf.message import DecodeError
 
+from bumpless.config.mission import Mission, parse_mission
+from bumpless.config.problems import ProblemsError
 from bumpless.config.vehicle import Vehicle, VehicleError, parse_vehicle
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.keys import SAID
 from bumpless.contract.units import EDGE_PER_SI
-from bumpless.metrics import Columns
-from bumpless.metrics.columns import FLOWN
-from bumpless.runs.figures import Figures, figures_of, how_ended, why_ended
+from bumpless.metrics import Columns, Figures, figures_of
+from bumpless.metrics.columns import FLOWN, DockColumns
+from bumpless.runs.figures import how_ended, why_ended
 from bumpless.runs.names import DESCRIPTION, MISSION, PLAN, TRUTH
 from bumpless.runs.read import log_messages
 
@@ -28,6 +30,15 @@ class RecordedColumns:
     vehicle: Vehicle | None
     status: pb.MissionStatus  # the last; empty when there is none
     plan: pb.Plan  # the last; empty when there is none
+
+    @property
+    def mission(self) -> Mission | None:
+        """The mission as the vehicle flew it; None when there is none that can be read."""
+        plan = self.plan
+        try:
+            return parse_mission(plan.mission_yaml, plan.file_name, self.vehicle, any_vehicle=True)
+        except ProblemsError:
+            return None
 
 
 class _Column:
@@ -83,7 +94,8 @@ def figures_of_file(path: Path, run_id: str, state: str, phase: int, reason: str
     if data.vehicle is None or len(data.columns) == 0:
         return None
     how = how_ended(state, phase)
-    return figures_of(data.columns, data.vehicle, run_id, how, why_ended(how, reason))
+    why = why_ended(how, reason)
+    return figures_of(data.columns, data.vehicle, data.mission, how, why, run_id=run_id)
 
 
 def _vehicle(message: pb.VehicleDescription) -> Vehicle | None:
@@ -107,7 +119,7 @@ def _joined(columns: dict[str, _Column]) -> Columns:
     control, allocation = rows["tlm/control"], rows["tlm/allocation"]
     actuators, target, guidance = rows["tlm/actuators"], rows["tlm/target"], rows["tlm/guidance"]
     n_u = actuators.shape[1] // 3
-    known = np.full((len(cycle), 21), np.nan)  # truth: wrench, pose, velocity, target
+    known = np.full((len(cycle), 25), np.nan)  # truth: wrench, pose, velocity, target, dock
     _, here, there = np.intersect1d(cycle, truth_cycles, assume_unique=True, return_indices=True)
     if len(here):
         known[here] = truth[there]
@@ -137,6 +149,7 @@ def _joined(columns: dict[str, _Column]) -> Columns:
         eta=known[:, 6:12],
         nu=known[:, 12:18],
         target_true=known[:, 18:21],
+        dock=_dock(supervisor[:, 9].astype(np.int64), known[:, 21:25]),
         u=actuators[:, :n_u],
         du_max=actuators[:, n_u : 2 * n_u],
         u_feedback=actuators[:, 2 * n_u :],
@@ -145,7 +158,14 @@ def _joined(columns: dict[str, _Column]) -> Columns:
     )
 
 
-_DOCKING = ("docking_stage", "docking_tries", "wave_off_reason", "approach_heading_deg")
+def _dock(captured: np.ndarray, known: np.ndarray) -> DockColumns | None:
+    """None where there is no dock to enter: nobody felt one, and no latch closed."""
+    if not np.any(known[:, 1] > 0.0) and not captured.any():
+        return None
+    return DockColumns(captured, known[:, 0], known[:, 1], known[:, 2], known[:, 3])
+
+
+_DOCKING = ("docking_stage", "docking_tries", "wave_off_reason", "approach_heading_deg", "captured")
 
 
 def _supervisor(m: pb.Supervisor) -> tuple[float, ...]:
@@ -180,7 +200,8 @@ def _target(m: pb.Target) -> list[float]:
 
 def _truth(m: pb.TruthState) -> list[float]:
     at = m.target_position_ned_m
-    return [*_wrench(m.actuator_wrench), *_motion(m), at.x, at.y, at.z]
+    dock = (m.contact_force_n, m.contact_force_most_n, m.nose_depth_m, m.nose_offset_m)
+    return [*_wrench(m.actuator_wrench), *_motion(m), at.x, at.y, at.z, *dock]
 
 
 def _control(m: pb.Control) -> list[float]:

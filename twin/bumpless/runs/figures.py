@@ -1,28 +1,19 @@
-"""A run's figures: metrics and outcome, the same from memory as from the file."""
+"""What a run's figures are told as, and what its end is called: the same from memory as from the file."""
 
 import json
 from typing import Any
 
-from bumpless.config.vehicle import Vehicle
 from bumpless.contract import bumpless_pb2 as pb
-from bumpless.metrics import Columns, Ending, Outcome, metrics_of, outcome_of
+from bumpless.metrics import Ending, Outcome
 from bumpless.metrics.outcome import How
 from bumpless.runs.names import COMPLETE
 
-Figures = tuple[pb.Metrics, Outcome]
 OUTCOME = "outcome"  # code of the event
 SEVERITIES = {
     Ending.DOCKED: pb.SEVERITY_INFO,
     Ending.HELD: pb.SEVERITY_INFO,
     Ending.COLLIDED: pb.SEVERITY_ALARM,
 }
-
-
-def figures_of(columns: Columns, vehicle: Vehicle, run_id: str, how: How, reason: str = "") -> Figures:
-    """Metrics, which hold the outcome, and the outcome of a run that ended as `how`."""
-    metrics, outcome = metrics_of(columns, vehicle, run_id), outcome_of(columns, vehicle, how, reason)
-    metrics.outcome.CopyFrom(outcome.message())
-    return metrics, outcome
 
 
 def how_ended(state: str, phase: int) -> How:

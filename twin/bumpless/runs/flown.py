@@ -13,8 +13,8 @@ from google.protobuf.message import Message
 from bumpless.config.parameters import Parameters
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.version import software_version
-from bumpless.metrics import Columns
-from bumpless.runs.figures import Figures, figures_of, outcome_event
+from bumpless.metrics import Columns, Figures, figures_of
+from bumpless.runs.figures import outcome_event
 from bumpless.runs.info import RunInfo
 from bumpless.runs.names import EVENT
 from bumpless.sim.twin import Result
@@ -59,7 +59,9 @@ class Flown:
     @property
     def figures(self) -> Figures:
         """Metrics and outcome; a mission that `simulate` flew always comes to its end."""
-        return figures_of(self.columns, self.result.vehicle, self.info.run_id, "completed")
+        result = self.result
+        name = self.info.run_id
+        return figures_of(self.columns, result.vehicle, result.mission, "completed", run_id=name)
 
     @property
     def mission(self) -> Any:

@@ -8,6 +8,7 @@ from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.version import software_version
 from bumpless.runs.names import COMPLETE, FORMAT, INTERRUPTED
 
+LONGEST_NUMBER, LARGEST_NUMBER = 19, 2**63 - 1  # digits and value that a list can hold
 _REASONS = {pb.MISSION_PHASE_COMPLETED: "completed", pb.MISSION_PHASE_ABORTED: "aborted"}
 
 
@@ -35,8 +36,8 @@ class RunInfo:
         found |= {name.name: record[name.name] for name in fields(cls) if name.name in record}
         for name in ("seed", "started_ns"):
             text = str(found.pop(name, ""))
-            if text.lstrip("-").isdigit():
-                found[name] = int(text)
+            if text.isascii() and text.isdigit() and len(text) <= LONGEST_NUMBER:
+                found[name] = min(int(text), LARGEST_NUMBER)
         return cls(**found)
 
     def record(self) -> dict[str, str]:

@@ -24,7 +24,12 @@ class McapFile:
     def __init__(self, path: Path, durable: bool = True) -> None:
         self._durable = durable
         self._file = path.open("wb")
-        self._writer = Writer(self._file, chunk_size=_CHUNK_BYTES, compression=CompressionType.ZSTD)
+        self._writer = Writer(
+            self._file,
+            chunk_size=_CHUNK_BYTES,
+            compression=CompressionType.ZSTD,
+            enable_data_crcs=True,  # chunks have their own; this vouches for what stands between them
+        )
         self._writer._Writer__chunk_builder = QuickChunk()  # type: ignore[attr-defined]
         self._schemas: dict[str, int] = {}
         self._channels: dict[tuple[str, str], int] = {}

@@ -1,27 +1,28 @@
 """Reads the messages of a log in the order they were written, also of one without its end."""
 
-import struct
+import logging
 from collections.abc import Container, Iterator
 from pathlib import Path
 from typing import BinaryIO
 
-import zstandard
-from mcap.exceptions import McapError
 from mcap.records import Channel, McapRecord, Message
-from mcap.stream_reader import CRCValidationError, StreamReader
 
-# what reading past the place where a file was cut can raise
-CUT = (McapError, CRCValidationError, struct.error, zstandard.ZstdError, UnicodeDecodeError, EOFError)
+from bumpless.runs.chunks import CUT, records_of
+
+log = logging.getLogger(__name__)
+
+__all__ = ["CUT", "check_log", "log_messages"]
 
 
 def log_messages(path: Path, topics: Container[str]) -> Iterator[tuple[str, Message]]:
     """Messages of these topics as (topic, record); stops without complaint where the file was cut.
 
-    Raises ValueError when not even the beginning of an MCAP file is there.
+    What its check sums show to be damaged is left out, with a warning. Raises ValueError when not even the
+    beginning of an MCAP file is there.
     """
     wanted: dict[int, str] = {}
     with path.open("rb") as file:
-        records = _after_header(file, path.stat().st_size)
+        records = _after_header(file, path)
         while True:
             try:
                 record = next(records)
@@ -36,11 +37,11 @@ def log_messages(path: Path, topics: Container[str]) -> Iterator[tuple[str, Mess
 def check_log(path: Path) -> None:
     """Raise ValueError when not even the beginning of an MCAP file is there."""
     with path.open("rb") as file:
-        _after_header(file, path.stat().st_size)
+        _after_header(file, path)
 
 
-def _after_header(file: BinaryIO, size: int) -> Iterator[McapRecord]:
-    records = iter(StreamReader(file, record_size_limit=size).records)
+def _after_header(file: BinaryIO, path: Path) -> Iterator[McapRecord]:
+    records = records_of(file, path.stat().st_size, lambda text: log.warning("%s: %s", path.name, text))
     try:
         next(records)
     except (StopIteration, *CUT) as error:

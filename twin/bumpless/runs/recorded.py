@@ -8,16 +8,16 @@ from pathlib import Path
 
 from google.protobuf.message import Message
 
-from bumpless.config.mission import Mission, parse_mission
+from bumpless.config.mission import Mission
 from bumpless.config.parameters import Parameters, as_dict, default_parameters, with_overrides
 from bumpless.config.problems import ProblemsError
 from bumpless.config.vehicle import Vehicle
 from bumpless.contract.keys import SAID
 from bumpless.contract.messages import decoded
-from bumpless.metrics import Columns
+from bumpless.metrics import Columns, Figures, figures_of
 from bumpless.runs import names
 from bumpless.runs.columns import RecordedColumns, read_columns
-from bumpless.runs.figures import Figures, figures_of, how_ended, why_ended
+from bumpless.runs.figures import how_ended, why_ended
 from bumpless.runs.info import RunInfo, run_info
 from bumpless.runs.read import log_messages
 from bumpless.runs.records import Records, read_records
@@ -63,16 +63,12 @@ class Recorded:
             return None
         how = how_ended(end.get("state", names.INTERRUPTED), self._columns.status.phase)
         reason = why_ended(how, end.get("reason", names.CUT_OFF))
-        return figures_of(columns, vehicle, self.info.run_id, how, reason)
+        return figures_of(columns, vehicle, self.mission, how, reason, run_id=self.info.run_id)
 
     @cached_property
     def mission(self) -> Mission | None:
         """The mission as the vehicle flew it; None when the file has none that can be read."""
-        plan = self._columns.plan
-        try:
-            return parse_mission(plan.mission_yaml, plan.file_name, self.vehicle, any_vehicle=True)
-        except ProblemsError:
-            return None
+        return self._columns.mission
 
     @cached_property
     def parameters(self) -> Parameters | None:

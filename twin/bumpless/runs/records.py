@@ -5,10 +5,9 @@ from pathlib import Path
 
 from mcap.reader import make_reader
 from mcap.records import Attachment, Metadata
-from mcap.stream_reader import StreamReader
 
 from bumpless.runs import names
-from bumpless.runs.read import CUT
+from bumpless.runs.chunks import CUT, damage_of, records_of
 
 MAGIC = b"\x89MCAP0\r\n"
 
@@ -24,6 +23,7 @@ class Records:
     first_ns: int = 0  # log times
     last_ns: int = 0
     fault: str = ""  # why the file could not be read to its end
+    damage: str = ""  # what its check sums show to be changed, where they were asked
 
     def _note(self, record: object) -> None:
         if isinstance(record, Attachment):
@@ -45,14 +45,19 @@ def is_whole(path: Path) -> bool:
         return file.read() == MAGIC
 
 
-def read_records(path: Path) -> Records:
-    """Read them without the messages, where the file is whole; else as far as it goes."""
+def read_records(path: Path, check: bool = False) -> Records:
+    """Read them without the messages, where the file is whole; else as far as it goes.
+
+    `check`: hold every check sum against the file, which reads it once from end to end.
+    """
     found = Records()
     try:
         if is_whole(path):
             _by_index(path, found)
         else:
             _by_stream(path, found)
+        if check:
+            _check(path, found)
     except Exception as error:  # whatever a damaged file makes of its reader
         found.fault = f"the file cannot be read: {error or type(error).__name__}"
     return found
@@ -72,10 +77,19 @@ def _by_index(path: Path, found: Records) -> None:
 
 def _by_stream(path: Path, found: Records) -> None:
     with path.open("rb") as file:
-        records = iter(StreamReader(file, record_size_limit=path.stat().st_size).records)
+        records = records_of(file, path.stat().st_size)
         next(records)  # the header: what has none is no log
         try:
             for record in records:
                 found._note(record)
         except CUT:
             return
+
+
+def _check(path: Path, found: Records) -> None:
+    if not is_whole(path):
+        return
+    with path.open("rb") as file:
+        damage = damage_of(file, path.stat().st_size)
+    more = f" and {len(damage) - 1} more" if len(damage) > 1 else ""
+    found.damage = damage[0] + more if damage else ""

@@ -6,10 +6,9 @@ from pathlib import Path
 from typing import BinaryIO
 
 from mcap.records import Attachment, Channel, Header, Message, Metadata, Schema
-from mcap.stream_reader import StreamReader
 from mcap.writer import CompressionType, Writer
 
-from bumpless.runs.read import CUT
+from bumpless.runs.chunks import CUT, records_of
 
 
 @dataclass(frozen=True)
@@ -25,8 +24,9 @@ class Repair:
 def repair(path: Path) -> Repair:
     """Rewrite `path` with every whole record it still holds; the old file is replaced at the end.
 
-    Bytes and times of messages stay as they are. Raises ValueError when not even the beginning of an
-    MCAP file is there; the file then stays as it is.
+    Bytes and times of messages stay as they are; a chunk whose check sum is wrong is left out.
+
+    Raises ValueError when not even the beginning of an MCAP file is there; the file then stays as it is.
     """
     partial = path.with_name(path.name + ".repair")
     try:
@@ -85,7 +85,7 @@ class _Copy:
 
 def _copy(source: BinaryIO, target: BinaryIO) -> Repair:
     size = os.fstat(source.fileno()).st_size
-    records = iter(StreamReader(source, validate_crcs=True, record_size_limit=size).records)
+    records = records_of(source, size)
     try:
         header = next(records)
     except (*CUT, StopIteration) as error:

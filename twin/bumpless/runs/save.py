@@ -6,7 +6,7 @@ from pathlib import Path
 
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.messages import encoded
-from bumpless.runs.figures import Figures
+from bumpless.metrics import Figures
 from bumpless.runs.flown import Flown
 from bumpless.runs.info import ending_of
 from bumpless.runs.names import MISSION

@@ -36,16 +36,20 @@ class RunSummary:
 
 def summarise(path: Path) -> RunSummary:
     """Read a file's metadata and metrics. A file that cannot be read is listed as interrupted."""
-    found = read_records(path)
+    found = read_records(path, check=True)
     metrics: dict[str, Any] | None = None
     reason = found.fault or names.CUT_OFF
-    with contextlib.suppress(ValueError):
+    with contextlib.suppress(ValueError, RecursionError):
         text = found.attachments.get(names.METRICS)
-        metrics = None if text is None else json.loads(text, parse_constant=lambda _: None)
+        told = None if text is None else json.loads(text, parse_constant=lambda _: None)
+        metrics = told if isinstance(told, dict) else None
     seconds = (found.last_ns - found.first_ns) * 1e-9
     info = RunInfo.read({"started_ns": str(found.first_ns)} | found.run, path.stem)
     end = found.end
     state = end.get("state", INTERRUPTED)
+    reason = end.get("reason", reason)
+    if found.damage:
+        reason = f"{reason}; the file has changed since: {found.damage}"
     return RunSummary(
         id=path.stem,
         run_id=info.run_id,
@@ -55,7 +59,7 @@ def summarise(path: Path) -> RunSummary:
         started_ns=info.started_ns,
         duration_s=_duration(end.get("duration_s"), seconds),
         state=state if state in (COMPLETE, INTERRUPTED) else INTERRUPTED,
-        end_reason=end.get("reason", reason),
+        end_reason=reason,
         messages=_number(end.get("messages"), found.messages),
         dropped=_number(end.get("dropped"), 0),
         outcome=_ending(end.get("outcome", "")),
@@ -69,7 +73,9 @@ def _ending(word: str) -> str:
 
 
 def _number(text: str | None, otherwise: int) -> int:
-    return int(text) if text and text.lstrip("-").isdigit() else otherwise
+    if not text or not text.isascii() or not text.isdigit() or len(text) > 18:
+        return otherwise
+    return int(text)
 
 
 def _duration(text: str | None, otherwise: float) -> float:

@@ -24,10 +24,11 @@ class View(Protocol):
 
 
 class Views:
-    """Several views as one. One that fails ends: it is a convenience and must never cost the record."""
+    """Several views as one. What one can't show is left out, and told once of its kind."""
 
     def __init__(self, views: Sequence[View]) -> None:
         self._views = list(views)
+        self._told: set[tuple[View, str]] = set()
         self._wanted: dict[str, list[View]] = {}  # by schema
 
     def see(self, schema: str, payload: bytes, message: Message | None) -> list[tuple[str, Message]]:
@@ -43,7 +44,7 @@ class Views:
             try:
                 found += view.see(message)
             except Exception:
-                log.exception("%s ends here: %s could not be shown", type(view).__name__, schema)
-                self._views.remove(view)
-                self._wanted.clear()
+                if (view, schema) not in self._told:
+                    self._told.add((view, schema))
+                    log.exception("%s: a %s could not be shown", type(view).__name__, schema)
         return found

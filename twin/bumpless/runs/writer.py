@@ -11,10 +11,10 @@ from google.protobuf.message import Message
 
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.messages import MESSAGES, decoded, encoded, stamp_of
-from bumpless.metrics import as_dict
+from bumpless.metrics import Figures, as_dict
 from bumpless.runs import names
 from bumpless.runs.columns import figures_of_file
-from bumpless.runs.figures import Figures, json_bytes, outcome_event
+from bumpless.runs.figures import json_bytes, outcome_event
 from bumpless.runs.info import run_info
 from bumpless.runs.mcap_file import McapFile
 from bumpless.runs.names import CONTEXT, DESCRIPTION, PARAMETERS_STATUS, PLAN
@@ -148,7 +148,8 @@ class RunWriter:
         message: Message | None,
         listen: bool = True,
     ) -> None:
-        self._end_ns = max(self._end_ns, log_ns)
+        # a log's times go one way, whatever a clock does meanwhile
+        log_ns = self._end_ns = max(self._end_ns, log_ns)
         self._file.message(topic, schema, MESSAGES.get(schema), payload, log_ns, publish_ns)
         for name, seen in self._views.see(schema, payload, message):
             kind = type(seen)

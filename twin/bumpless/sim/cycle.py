@@ -6,6 +6,7 @@ Both are the same function, `fly`, so what is fast is also what flies.
 from bumpless.contract.enums import IDLE
 from bumpless.control.autopilot import autopilot_cycle
 from bumpless.jit import jit
+from bumpless.physics.dock.latch import move_marker
 from bumpless.physics.plant import step_plant
 from bumpless.physics.sensors import measure
 from bumpless.sim.row import write_row
@@ -23,7 +24,11 @@ def closed_loop(handle, onboard, world, noise, row):
     """
     phase, truth, plant, state = onboard.orders.phase, world.truth, world.plant, onboard.state
     if phase != IDLE:
+        dock = truth.environment.dock
+        if dock.period > 0.0:
+            move_marker(dock, plant.time, truth.target)
         measure(world.sensors, truth.errors, truth.target, plant, state.clock.cycle, noise, world.measurement)
+        world.measurement.captured = dock.captured
     autopilot_cycle(handle, onboard, world.measurement)
     write_row(onboard, world, phase, row)
     if phase != IDLE:

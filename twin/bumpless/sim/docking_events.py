@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from bumpless.contract.docking import REASONS, STAGES
-from bumpless.contract.enums import APPROACH, BACK, ENTRY, FORWARD, HOLD, HOVER, INFO, REVERSE, WARNING
+from bumpless.contract.enums import APPROACH, BACK, CREEP, ENTRY, FORWARD, HOLD, HOVER, INFO, REVERSE, WARNING
 
 HELD_S = 10.0  # in place, straight and still: what docked means
 Told = tuple[str, str, dict[str, str], int]  # code, text, details, severity
@@ -27,7 +27,7 @@ def docking_events(last: np.void, row: np.void) -> Iterator[Told]:
     elif row["cleared"] and not last["cleared"] and row["stage"] == APPROACH:
         text = f"Gate passed at {row['along_track']:.1f} m: deep, straight and in line."
         yield "gate_passed", text, details, INFO
-    if last["held"] < HELD_S <= row["held"]:
+    if last["held"] < HELD_S <= row["held"] and not row["captured"]:
         text = f"Held at the observation point for {HELD_S:g} s, {row['range']:.2f} m from it."
         yield "station_held", text, details, INFO
 
@@ -46,6 +46,8 @@ def _stage(last: np.void, row: np.void, details: dict[str, str]) -> Iterator[Tol
         yield "go_around", text, details, INFO
     elif after == ENTRY:
         yield "entry_begun", f"Flying round to the approach line, heading {heading}.", details, INFO
+    elif after == CREEP:
+        yield "creep_begun", "In place before the dock: creeping along its axis.", details, INFO
     elif after == HOLD:
         text = f"Ended waved off after {tried} of {tries} approaches: {why}. Holding clear of the dock."
         yield "docking_ended", text, details, WARNING

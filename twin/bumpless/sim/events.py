@@ -110,7 +110,7 @@ def completed_event(out: EventWriter, row: np.void) -> None:
 def eventful(log: np.ndarray) -> list[int]:
     """Rows of a LOG array that `row_events` has something to say about, against the row before."""
     changed = np.zeros(max(0, len(log) - 1), bool)
-    for name in ("mode", "detected", "leg", "status", "faults", "stage", "cleared"):
+    for name in ("mode", "detected", "leg", "status", "faults", "stage", "cleared", "captured"):
         changed |= log[name][1:] != log[name][:-1]
     changed |= (log["held"][1:] >= HELD_S) & (log["held"][:-1] < HELD_S)
     return [int(k) for k in np.flatnonzero(changed) + 1]
@@ -139,6 +139,9 @@ def row_events(out: EventWriter, last: np.void, row: np.void, settings: np.void)
             },
             time_s=time_s,
         )
+    if row["captured"] and not last["captured"]:
+        told = {"nose_depth_m": f"{row['nose_depth']:.3f}", "contact_force_n": f"{row['contact_force']:.1f}"}
+        out.add("captured", f"Captured: nose {row['nose_depth']:.2f} m inside the dock.", told, time_s=time_s)
     for code, text, told, severity in docking_events(last, row):
         out.add(code, text, told, severity, time_s)
     if row["detected"] != last["detected"]:

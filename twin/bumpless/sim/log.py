@@ -79,6 +79,12 @@ LOG = np.dtype(
         ("effectiveness", f8, _n),
         ("range_true", f8),  # to the true target's observation point, m
         ("target_true", f8, 3),  # NED
+        # a dock to enter; zero where there is none
+        ("captured", i8),  # its latch has closed
+        ("contact_force", f8),  # largest sum of normal forces in the period before, N
+        ("contact_most", f8),  # what dock and hull bear, N
+        ("nose_depth", f8),  # of the nose behind the entry, m
+        ("nose_offset", f8),  # of the nose from the axis, m
     ],
     align=True,
 )

@@ -35,6 +35,7 @@ def write_row(onboard, world, phase, row):
     write_docking(settings, s.docking, out.docking, row)
     row.held = s.supervisor.hover_cycles * settings.dt
     write_truth(onboard.model.n_u, world.truth, world.plant, row)
+    write_dock(world.truth.environment.dock, row)
     if s.docking.stage > 0:
         write_true_range(world.truth, world.plant, heading, row)
 
@@ -124,6 +125,14 @@ def write_faults(settings, model, s, row):
         row.effectiveness_hat[i] = estimated if settings.estimate == 1 else s.belief.effectiveness[i]
         row.fault_evidence[i] = e.evidence[i]
         row.faults |= e.faulty[i] << i
+
+
+@jit
+def write_dock(dock, row):
+    """How the hull meets a dock to enter."""
+    row.captured, row.contact_most = dock.captured, dock.force_most
+    row.contact_force, row.nose_depth = dock.felt.peak, dock.felt.nose_depth
+    row.nose_offset = dock.felt.nose_offset
 
 
 @jit

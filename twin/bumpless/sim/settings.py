@@ -13,7 +13,9 @@ from bumpless.config.mission import Mission
 from bumpless.config.parameters import Parameters
 from bumpless.config.vehicle import Vehicle
 from bumpless.control.plan import PLAN
+from bumpless.metrics.dock import ends_of
 from bumpless.physics.sensors import SENSORS
+from bumpless.sim.approach import turn_used_deg
 
 _HOUR_S = 3600.0
 
@@ -27,20 +29,26 @@ def fill_settings(out: np.void, vehicle: Vehicle, parameters: Parameters) -> Non
         fill_record(mode, out["modes"][i])
 
 
-def plan_of(mission: Mission, period_s: float) -> np.ndarray:
+def plan_of(mission: Mission, vehicle: Vehicle) -> np.ndarray:
     """PLAN record of a mission, shape (1,), but for what `sim.truth.tell` adds: the start and the faults.
 
-    Durations become counts of control periods: sums of period_s miss them by rounding.
+    Durations become counts of control periods: sums of them miss by rounding.
     """
-    out = np.zeros(1, PLAN)
+    out, period_s, target = np.zeros(1, PLAN), vehicle.control_period_s, mission.target
     p = out[0]
     path = mission.path_ned_m
     p["n_legs"] = len(mission.legs)
     p["waypoint"][: len(path)] = path
     p["speed"][: len(mission.legs)] = [leg.speed_mps for leg in mission.legs]
-    p["target"] = [*mission.target.position_ned_m, radians(mission.target.heading_deg)]
-    p["standoff"] = mission.target.standoff_m
-    p["heading_tolerance"] = radians(mission.target.turn_deg)
+    p["target"] = [*target.position_ned_m, radians(target.heading_deg)]
+    p["standoff"] = target.standoff_m
+    p["heading_tolerance"] = radians(turn_used_deg(target, vehicle))
+    p["dock_turns"], p["nose"] = target.turns, ends_of(vehicle)[0]
+    p["dock_half"], p["dock_radius"] = 0.5 * target.dock_width_m, target.dock_radius_m
+    if target.dock:
+        dock = target.dock
+        p["dock"], p["dock_entry"] = 1, dock.entry_before_marker_m
+        p["dock_depth"], p["dock_end"] = dock.capture_depth_m, dock.length_m
     p["cycles"] = round(mission.duration_s / period_s)
     hold_s = mission.end.hover_hold_s
     p["hold_cycles"] = 0 if hold_s is None else max(1, round(hold_s / period_s))

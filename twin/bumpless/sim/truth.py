@@ -41,6 +41,7 @@ def truth_of(mission: Mission, vehicle: Vehicle) -> np.ndarray:
     t["target"] = [*target.true_position_ned_m, radians(target.heading_deg)]
     t["standoff"] = target.standoff_m
     _environment(t["environment"], mission)
+    _dock(t["environment"]["dock"], mission)
     errors, faults = t["errors"], t["faults"]
     errors["noise_scale"] = mission.sensors.noise_scale
     errors["n_outages"] = len(mission.sensors.outages)
@@ -78,6 +79,29 @@ def _environment(out: np.void, mission: Mission) -> None:
         out["shelter_width"], out["shelter_drag"] = env.shelter.width_m, env.shelter.drag_coefficient
         out["shelter_growth"], out["shelter_turbulence"] = env.shelter.growth, env.shelter.turbulence
     out["tau_e"] = env.disturbance_body_n_nm
+
+
+def _dock(out: np.void, mission: Mission) -> None:
+    """The dock to enter, and the motion of the target, with or without one."""
+    target, dock, motion = mission.target, mission.target.dock, mission.target.motion
+    out["entry"], out["heading"] = target.true_position_ned_m, radians(target.heading_deg)
+    if motion:
+        out["amplitude"], out["period"] = motion.amplitude_ned_m, motion.period_s
+        out["phase"] = radians(motion.phase_deg)
+    if dock is None:
+        return
+    out["present"] = 1
+    out["marker"][0] = dock.entry_before_marker_m * np.cos(out["heading"])
+    out["marker"][1] = dock.entry_before_marker_m * np.sin(out["heading"])
+    out["entry"] -= out["marker"]
+    for name, value in (
+        ("entry_radius", dock.entry_radius_m), ("tube_radius", dock.tube_radius_m),
+        ("cone_length", dock.cone_length_m), ("tube_length", dock.tube_length_m), ("wall", dock.wall_m),
+        ("capture_depth", dock.capture_depth_m), ("stiffness", dock.stiffness_npm),
+        ("damping", dock.damping_spm), ("friction", dock.friction), ("slip_speed", dock.slip_speed_mps),
+        ("force_most", dock.force_most_n),
+    ):  # fmt: skip
+        out[name] = value
 
 
 def tell(truth: np.void, plan: np.void, faults: bool = True) -> None:

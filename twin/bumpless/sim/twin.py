@@ -17,7 +17,7 @@ from bumpless.contract.enums import ABORTED, COMPLETED, FORWARD, HOVER, IDLE, PA
 from bumpless.control.allocation.qp import make_handle
 from bumpless.control.onboard import ONBOARD
 from bumpless.control.reset import reset_state
-from bumpless.physics.model import build_model
+from bumpless.physics.model import build_model, fill_flow
 from bumpless.physics.plant import observe_plant
 from bumpless.physics.sensors import N_NOISE
 from bumpless.sim.cycle import fly
@@ -110,6 +110,8 @@ class Twin:
         onboard, world = self.onboard, self.world
         onboard["sensors"] = world["sensors"] = sensors_of(self.vehicle, mission)[0]
         world["truth"], world["model"] = truth_of(mission, self.vehicle)[0], onboard["model"]
+        if mission.actuator_flow:
+            fill_flow(world["model"], self.vehicle)
         load(world["model"], mission.trim)
         if alter is not None:
             alter(world["model"], world["truth"])
@@ -117,7 +119,7 @@ class Twin:
         if self.parameters.docking.enabled:
             start_shafts(onboard["model"], world["truth"], world["plant"])
         observe_plant(world["model"], world["truth"]["environment"], world["plant"])
-        onboard["plan"] = plan_of(mission, self.period_s)[0]
+        onboard["plan"] = plan_of(mission, self.vehicle)[0]
         told = self.parameters.allocation.effectiveness == "known"
         tell(world["truth"], onboard["plan"], faults=told)
         clear(world["measurement"])  # nothing of an earlier run is left, not even in rounding

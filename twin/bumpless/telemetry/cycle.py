@@ -125,6 +125,7 @@ def _supervisor(r: _Row, stamp: pb.Stamp, context: Context) -> pb.Supervisor:
     out.docking_tries, out.docking_tries_most = int(r.one("tried")), int(r.one("tries"))
     out.flown = cast("pb.Mode", int(r.one("flown")))
     out.approach_heading_deg, out.fix_age_s = r.one("approach") * DEG, r.one("fix_age")
+    out.captured = bool(r.one("captured"))
     return out
 
 
@@ -208,4 +209,6 @@ def _truth(r: _Row, stamp: pb.Stamp, context: Context) -> pb.TruthState:
     _wrench(out.actuator_wrench, r.all("tau"))
     _vector(out.current_ned_mps, r.all("current"))
     _vector(out.target_position_ned_m, r.all("target_true"))
+    out.contact_force_n, out.contact_force_most_n = r.one("contact_force"), r.one("contact_most")
+    out.nose_depth_m, out.nose_offset_m = r.one("nose_depth"), r.one("nose_offset")
     return out

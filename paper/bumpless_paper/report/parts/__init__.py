@@ -12,6 +12,8 @@ Progress = Callable[[float], None]
 
 # name of `--only` -> module here and its function
 PARTS: dict[str, tuple[str, str]] = {
+    "outcome": ("outcome", "part"),
+    "fair": ("fair", "part"),
     "table3": ("envelopes", "part"),
     "identify": ("identify", "part"),
     "remus": ("remus", "part"),

@@ -16,7 +16,6 @@ from bumpless.config.mission.model import End, Fault, Leg, Mission, Start, Targe
 from bumpless.config.mission.sea import CurrentVariation, Environment
 from bumpless.config.mission.sensing import Outage, Sensors
 from bumpless.config.vehicle import Vehicle, load_vehicle
-from bumpless.physics.actuators import FIN
 from bumpless_paper.study.plants import Plant, draw
 
 HELD_OUT = 1_000_000
@@ -34,12 +33,10 @@ class Case:
     kind: Kind
     mission: Mission
     plant: Plant
-    fin_slew: float = 1.0  # factor on the fins' slew rate
 
     def __call__(self, model: Any, truth: Any) -> None:
         """Change the records of the true plant and of the flight's truth in place."""
         self.plant(model, truth)
-        model["command_rate"][model["kind"] == FIN] *= self.fin_slew
 
 
 @cache
@@ -68,8 +65,9 @@ def draw_case(number: int, kind: Kind = "normal", heading: Heading = "") -> Case
     plant = replace(
         draw(number), current_along=0.0, current_across=0.0, fault_time=None, fault_effectiveness=None,
         thrust=float(r.uniform(0.85, 1.15)), fin_lift=float(r.uniform(0.6, 1.15)),
+        fin_slew=float(2.0 ** r.uniform(-1.0, 1.0)),
     )  # fmt: skip
-    return Case(number, kind, mission, plant, fin_slew=float(2.0 ** r.uniform(-1.0, 1.0)))
+    return Case(number, kind, mission, plant)
 
 
 def _dock(r: np.random.Generator, heading: Heading) -> tuple[Target, np.ndarray, float]:

@@ -93,6 +93,7 @@ class CommandReply(model_of(pb.CommandReply)):
     reason: str
     problems: list[Problem]
     revision: int  # of the parameters; small enough for a number
+    id: str  # of the request
 
 
 def told(message: Message, model: type[Told]) -> Told:

@@ -4,9 +4,11 @@ from datetime import UTC, datetime
 from typing import Any
 
 from bumpless.config.mission import Mission
+from bumpless_server.plan.marks import Mark
 from bumpless_server.plan.missions import MissionFile
 from bumpless_server.web.answers.contract import Answer, Problem
 
+_UNMARKED = Mark()
 Position = tuple[float, float, float]  # NED, m
 
 
@@ -22,12 +24,15 @@ class MissionSummary(Answer):
     seed: int | None
     sha256: str
     builtin: bool
+    size: int
+    tags: list[str]
+    archived: bool
     valid: bool
     problems: list[Problem]
     modified: datetime
 
     @classmethod
-    def of(cls, file: MissionFile) -> "MissionSummary":
+    def of(cls, file: MissionFile, mark: Mark = _UNMARKED) -> "MissionSummary":
         """What a file says."""
         mission = file.mission
         return cls(
@@ -38,8 +43,11 @@ class MissionSummary(Answer):
             vehicle=mission.vehicle if mission else "",
             duration_s=mission.duration_s if mission else None,
             seed=mission.seed if mission else None,
-            sha256=mission.sha256 if mission else "",
+            sha256=file.sha256,
             builtin=file.builtin,
+            size=len(file.data),
+            tags=list(mark.tags),
+            archived=mark.archived,
             valid=mission is not None,
             problems=[Problem(**problem.as_dict()) for problem in file.problems],
             modified=datetime.fromtimestamp(int(file.path.stat().st_mtime), UTC),
@@ -63,9 +71,9 @@ class MissionDetail(MissionSummary):
     current_ned_mps: Position | None = None
 
     @classmethod
-    def of(cls, file: MissionFile) -> "MissionDetail":
+    def of(cls, file: MissionFile, mark: Mark = _UNMARKED) -> "MissionDetail":
         """What a file says, whole."""
-        told = cls(**MissionSummary.of(file).model_dump(), yaml=file.text)
+        told = cls(**MissionSummary.of(file, mark).model_dump(), yaml=file.text)
         return told.model_copy(update=_plan(file.mission)) if file.mission else told
 
 

@@ -16,5 +16,6 @@ class Refused(Answer):
 
 
 REFUSALS: dict[int | str, dict[str, Any]] = {
-    "4XX": {"model": Refused, "description": "Refused, with the reason"}
+    "4XX": {"model": Refused, "description": "Refused, with the reason"},
+    "5XX": {"model": Refused, "description": "Not possible now: no vehicle answers, too much waits, no room"},
 }

@@ -1,4 +1,7 @@
-"""The HTTP interface, one file per subject. Handlers are plain functions on worker threads."""
+"""The HTTP interface, one file per subject. Handlers are plain functions on worker threads.
+
+What must answer at all times (health, commands) is a coroutine: it waits for no free worker thread.
+"""
 
 from typing import Annotated, cast
 
@@ -7,7 +10,7 @@ from fastapi import Depends, Request
 from bumpless_server.console import Console
 
 
-def _console(request: Request) -> Console:
+async def _console(request: Request) -> Console:
     return cast(Console, request.app.state.console)
 
 

@@ -2,15 +2,17 @@
 
 from fastapi import APIRouter, Body, Request, Response
 from fastapi.concurrency import run_in_threadpool
-from google.protobuf.message import Message
 from pydantic import BaseModel, ConfigDict, Field
 
 from bumpless.contract import bumpless_pb2 as pb
-from bumpless_server.web.answers.contract import CommandReply, told
+from bumpless_server.plan.marks import Mark
+from bumpless_server.web.answers.contract import CommandReply
 from bumpless_server.web.answers.missions import MissionDetail, MissionSummary
 from bumpless_server.web.answers.refusal import REFUSALS
 from bumpless_server.web.errors import Refusal
 from bumpless_server.web.routes import Served
+from bumpless_server.web.routes.commanding import Asked
+from bumpless_server.web.routes.findings import refuse_hopeless
 
 router = APIRouter(prefix="/api", responses=REFUSALS)
 
@@ -20,8 +22,12 @@ class Start(BaseModel):
 
     model_config = ConfigDict(extra="forbid")
     name: str
+    sha256: str | None = Field(None, pattern="^[0-9a-f]{64}$", description="Refuse when the file is another")
     seed: int | None = Field(None, ge=0, le=2**32 - 1)
     operator: str = Field("", max_length=80)
+    despite_findings: bool = Field(
+        False, description="start though a finding says that it can't work: the operator has read it"
+    )
 
 
 async def text_of(request: Request) -> str:
@@ -33,20 +39,11 @@ async def text_of(request: Request) -> str:
         raise Refusal(422, f"must be UTF-8 text; byte {error.start} is not") from error
 
 
-def carry_out(console: Served, verb: str, request: Message) -> CommandReply:
-    """Ask the vehicle; its refusal is a 409 with its reason."""
-    reply = told(console.command(verb, request), CommandReply)
-    if not reply.accepted:
-        answer = reply.model_dump()
-        problems = answer.pop("problems")
-        raise Refusal(409, answer["reason"] or f"the vehicle refuses '{verb}'", problems, **answer)
-    return reply
-
-
 @router.get("/missions")
 def missions(console: Served) -> list[MissionSummary]:
     """All missions, built-in ones first."""
-    return [MissionSummary.of(file) for file in console.missions.all()]
+    marks = console.library.marks.all()
+    return [MissionSummary.of(file, marks.get(file.name, Mark())) for file in console.missions.all()]
 
 
 @router.get("/missions/{name}")
@@ -55,7 +52,7 @@ def mission(console: Served, name: str) -> MissionDetail:
     file = console.missions.get(name)
     if file is None:
         raise Refusal(404, f"there is no mission {name!r}")
-    return MissionDetail.of(file)
+    return MissionDetail.of(file, console.library.marks.of(file.name))
 
 
 @router.post("/missions", status_code=201)
@@ -63,36 +60,36 @@ async def upload(
     console: Served, request: Request, response: Response, name: str, replace: bool = False
 ) -> MissionDetail:
     """Check and keep a mission file, sent as the body's bytes; they are kept as they are."""
-    file = await run_in_threadpool(console.missions.save, name, await request.body(), replace)
+    file = await run_in_threadpool(console.library.save, name, await request.body(), replace)
     response.headers["location"] = f"/api/missions/{file.name}"
-    return MissionDetail.of(file)
+    return MissionDetail.of(file, console.library.marks.of(file.name))
 
 
-@router.delete("/missions/{name}", status_code=204)
-def remove(console: Served, name: str) -> Response:
-    """Delete an uploaded mission."""
-    if not console.missions.delete(name):
-        raise Refusal(404, f"there is no mission {name!r}")
-    return Response(status_code=204)
-
-
-@router.post("/mission/start")
-def start(console: Served, wanted: Start = Body(...)) -> CommandReply:
-    """Fly a stored mission."""
+def _start_request(console: Served, wanted: Start) -> pb.StartMission:
     file = console.missions.get(wanted.name)
     if file is None:
         raise Refusal(404, f"there is no mission {wanted.name!r}")
     if file.mission is None:
         raise Refusal(422, f"{file.path.name} is not valid", [one.as_dict() for one in file.problems])
-    request = pb.StartMission(
+    if wanted.sha256 is not None and wanted.sha256 != file.mission.sha256:
+        raise Refusal(409, f"{file.name} was changed since it was shown: look at it again, then start")
+    refuse_hopeless(console, file, wanted.despite_findings)
+    return pb.StartMission(
         file_name=file.path.name, mission_yaml=file.text, seed=wanted.seed, operator=wanted.operator
     )
-    return carry_out(console, "start", request)
+
+
+@router.post("/mission/start")
+async def start(console: Served, asked: Asked, wanted: Start = Body(...)) -> CommandReply:
+    """Fly a stored mission."""
+    request = await run_in_threadpool(_start_request, console, wanted)
+    details = {"mission": request.file_name, "seed": wanted.seed}
+    return await asked.carry_out("start", request, author=wanted.operator, **details)
 
 
 @router.post("/mission/{verb}")
-def change(console: Served, verb: str) -> CommandReply:
+async def change(asked: Asked, verb: str) -> CommandReply:
     """Pause, resume or abort."""
     if verb not in ("pause", "resume", "abort"):
         raise Refusal(404, f"there is no command {verb!r}")
-    return carry_out(console, verb, pb.Empty())
+    return await asked.carry_out(verb, pb.Empty())

@@ -15,7 +15,8 @@ from bumpless_server.web.answers.parameters import ParametersAnswer, Preset
 from bumpless_server.web.answers.refusal import REFUSALS
 from bumpless_server.web.errors import Refusal
 from bumpless_server.web.routes import Served
-from bumpless_server.web.routes.missions import carry_out, text_of
+from bumpless_server.web.routes.commanding import Asked
+from bumpless_server.web.routes.missions import text_of
 
 router = APIRouter(prefix="/api", responses=REFUSALS)
 
@@ -45,14 +46,14 @@ def parameters(console: Served) -> ParametersAnswer:
 
 
 @router.put("/parameters")
-async def change(console: Served, request: Request) -> CommandReply:
-    """Ask the vehicle to fly with these, all of them."""
+async def change(console: Served, asked: Asked, request: Request) -> CommandReply:
+    """Ask the vehicle to fly with these, all of them; `If-Match` refuses a change of an old revision."""
     given = await _body(request)
-
-    def ask() -> CommandReply:
-        return carry_out(console, "set_parameters", tuning.parse(given, console.vehicle()))
-
-    return await run_in_threadpool(ask)
+    wanted = await run_in_threadpool(lambda: tuning.parse(given, console.vehicle()))
+    status = console.state.latest("parameters")
+    before = as_json(status.active) if isinstance(status, pb.ParametersStatus) else {}
+    changes = tuning.changes(before, as_json(wanted))
+    return await asked.carry_out("set_parameters", wanted, changes=changes)
 
 
 def _preset(kept: dict[str, Any] | None) -> Preset | None:

@@ -13,7 +13,7 @@ router = APIRouter(prefix="/api", responses=REFUSALS)
 
 
 @router.get("/health")
-def health(console: Served) -> Health:
+async def health(console: Served) -> Health:
     """The server answers; says nothing of the vehicle."""
     return Health(status="ok", version=console.version)
 

@@ -104,10 +104,14 @@ def _figure(width: float, height: float, rows: int = 1, columns: int = 1, polar:
     from matplotlib.figure import Figure
 
     with matplotlib.rc_context(_STYLE):
-        figure = Figure((width, height), layout="constrained")
         if polar:
+            figure = Figure((width, height), layout="constrained")
             return figure, figure.add_subplot(projection="polar")
-        grid = figure.subplots(rows, columns, squeeze=False).ravel()
+        figure = Figure((width, height))
+        # by hand, in inches: Matplotlib's own layouts draw all axes once more to find the margins
+        margins = {"left": 0.35 / width, "right": 1.0 - 0.1 / width, "bottom": 0.45 / height}
+        margins |= {"top": 1.0 - 0.1 / height, "hspace": 0.4, "wspace": 0.2}
+        grid = figure.subplots(rows, columns, squeeze=False, gridspec_kw=margins).ravel()
     return figure, list(grid)
 
 

@@ -9,7 +9,7 @@ from bumpless.campaign.flight import Row
 from bumpless.campaign.parameter_path import changes_of
 from bumpless.campaign.prepared import Prepared
 from bumpless.campaign.summary import Share, share_of
-from bumpless.campaign.tune.score import score_of
+from bumpless.campaign.tune.score import Quality, quality_of, score_interval, score_of
 from bumpless.campaign.tune.study import Fly, applied, present, reference_of
 
 if TYPE_CHECKING:
@@ -20,10 +20,13 @@ PATCH, NUMBERS = "parameters.toml", "tune.json"
 
 @dataclass(frozen=True)
 class Judged:
-    """Score and share docked of one set of parameters on one set of flights."""
+    """How one set of parameters did on one set of flights."""
 
     score: float
+    low: float  # 95 % interval of the score, flights drawn again and again from these
+    high: float
     docked: Share
+    quality: Quality
 
 
 @dataclass(frozen=True)
@@ -33,6 +36,7 @@ class Tuned:
     trial: int
     trials: int
     values: dict[str, float]
+    present: dict[str, float]  # the same parameters as they were
     tuning: tuple[int, int]  # first and last number that trials flew
     held_out: tuple[int, int]
     looks: int  # how often the held-out flights have been flown, this time included
@@ -63,12 +67,13 @@ def judge(study: "Study", prepared: Prepared, fly: Fly) -> Tuned:
         flown = [fly(applied(prepared, values), numbers) for values in (present(prepared), trial.params)]
         said = json.dumps([asdict(_judged(study, prepared, rows)) for rows in flown])
         study.set_user_attr(f"judged {trial.number}", said)
-    before, after = (Judged(one["score"], Share(**one["docked"])) for one in json.loads(said))
+    before, after = (_read(one) for one in json.loads(said))
     numbers, count = held_out_numbers(prepared), prepared.campaign.count
     return Tuned(
         trial=trial.number,
         trials=len(study.get_trials(deepcopy=False)),
         values=dict(trial.params),
+        present=present(prepared),
         tuning=(0, count - 1),
         held_out=(numbers[0], numbers[-1]),
         looks=looks,
@@ -82,7 +87,14 @@ def _judged(study: "Study", prepared: Prepared, rows: list[Row]) -> Judged:
     tune, reference = prepared.campaign.tune, reference_of(study)
     assert tune is not None and reference is not None
     docked = sum(row["outcome"] == "docked" for row in rows)
-    return Judged(score_of(rows, tune.weights, reference), share_of(docked, len(rows)))
+    score = score_of(rows, tune.weights, reference)
+    low, high = score_interval(rows, tune.weights, reference)
+    return Judged(score, low, high, share_of(docked, len(rows)), quality_of(rows))
+
+
+def _read(one: dict[str, Any]) -> Judged:
+    docked, quality = Share(**one.pop("docked")), Quality(**one.pop("quality"))
+    return Judged(**one, docked=docked, quality=quality)
 
 
 def write(folder: Path, prepared: Prepared, tuned: Tuned) -> None:

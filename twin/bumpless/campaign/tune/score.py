@@ -11,8 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from bumpless.campaign.declaration import Weights
+from bumpless.campaign.figures import TRACKING
 from bumpless.campaign.flight import Row
-from bumpless.campaign.tracking import TRACKING
 from bumpless.config.declare import as_table
 from bumpless.metrics.outcome import Ending
 
@@ -64,6 +64,19 @@ def score_of(rows: Sequence[Row], weights: Weights, reference: Quality) -> float
             share += weight
     q = total / share if share > 0.0 else 0.0
     return endings(rows) + q / (1.0 + q)
+
+
+def score_interval(
+    rows: Sequence[Row], weights: Weights, reference: Quality, resamples: int = 400
+) -> tuple[float, float]:
+    """95 % interval of the score by the bootstrap: as many flights drawn from these, again and again.
+
+    Source: Efron 1979, Ann. Stat. 7, percentile interval. Always the same for the same flights.
+    """
+    draws = np.random.Generator(np.random.PCG64(0)).integers(len(rows), size=(resamples, len(rows)))
+    scores = [score_of([rows[i] for i in draw], weights, reference) for draw in draws]
+    low, high = np.percentile(scores, [2.5, 97.5])
+    return float(low), float(high)
 
 
 def _mean(values: np.ndarray) -> float:

@@ -19,7 +19,7 @@ from bumpless.config.plain import is_tuple
 
 MISSING: Any = PydanticUndefined
 T = TypeVar("T")
-_CONFIG = ConfigDict(extra="forbid", validate_by_name=True, validate_by_alias=True)
+_CONFIG = ConfigDict(extra="forbid", defer_build=True, validate_by_name=True, validate_by_alias=True)
 
 
 @dataclass_transform(frozen_default=True)

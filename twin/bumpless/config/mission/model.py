@@ -11,8 +11,10 @@ from dataclasses import field
 from typing import Annotated, Any, Literal
 
 from bumpless.config.capacity import MAX_FAULTS, MAX_WAYPOINTS
-from bumpless.config.declare import Choice, Entries, Number, Overrides, Part, Row, Text, model
+from bumpless.config.declare import Choice, Entries, Number, Overrides, Part, Row, Switch, Text, model
+from bumpless.config.mission.dock import Dock, Motion
 from bumpless.config.mission.notes import Vector3, direction, moment, position
+from bumpless.config.mission.origin import Origin
 from bumpless.config.mission.sea import Environment
 from bumpless.config.mission.sensing import Sensors
 from bumpless.config.mission.trim import Trim
@@ -79,6 +81,26 @@ class Target:
         Choice("How the approach heading is chosen",
                help="heading: heading_deg within its tolerance; into_current: from any side."),
     ] = "heading"  # fmt: skip
+    dock_width_m: Annotated[
+        float, Number("Width and height of the dock about its axis", "m", 0.0, 100.0,
+                      help="The axis leads through the target along heading_deg."),
+    ] = 2.0  # fmt: skip
+    dock_length_m: Annotated[float, Number("Length of the dock behind the target", "m", 0.0, 100.0)] = 1.5
+
+    @property
+    def turns(self) -> bool:
+        """Whether the dock turns with the approach, or is open all round, so that any side will do."""
+        return self.turn_deg >= 90.0
+
+    @property
+    def dock_radius_m(self) -> float:
+        """Of the circle about the target that holds the dock, its funnel too."""
+        body = math.hypot(0.5 * self.dock_width_m, self.dock_length_m)
+        funnel = math.hypot(self.dock.entry_before_marker_m, self.dock.entry_radius_m) if self.dock else 0.0
+        return max(body, funnel)
+
+    dock: Annotated[Dock | None, Part("Dock to enter, behind the observation point")] = None
+    motion: Annotated[Motion | None, Part("Motion of a hung dock")] = None
 
     @property
     def turn_deg(self) -> float:
@@ -141,7 +163,15 @@ class Document:
         dict[str, Any], Overrides("Overrides of the vehicle's control parameters", of=Parameters)
     ] = field(default_factory=dict[str, Any])
     end: Annotated[End, Part("Early end")] = End()
+    actuator_flow: Annotated[
+        bool,
+        Switch("Flow at the actuators of the simulated vehicle",
+               help="Screws in four quadrants, wash over fins and what else the vehicle file says of flow."),
+    ] = False  # fmt: skip
     trim: Annotated[Trim | None, Part("Ballast and buoyancy of the simulated vehicle")] = None
+    origin: Annotated[
+        Origin | None, Part("Where the local frame lies on the earth", help="For charts and other programs.")
+    ] = None
 
 
 @model

@@ -9,7 +9,7 @@ from bumpless.config.declare import Broken
 from bumpless.config.mission.model import Mission
 from bumpless.config.parameters import ParameterError, check, default_parameters, with_overrides
 from bumpless.config.problems import ProblemsError
-from bumpless.config.vehicle import Vehicle, load_vehicle
+from bumpless.config.vehicle import MyringHull, Vehicle, load_vehicle
 from bumpless.contract.names import MISSION
 
 SHORTEST_LEG_M = 0.5
@@ -28,6 +28,7 @@ def broken_rules(mission: Mission, vehicle: Vehicle | None, any_vehicle: bool = 
         found.append(("vehicle", mission.vehicle, f"must be {vehicle.id}, the vehicle that is to fly it"))
     if vehicle is not None:
         found += [*_faults(mission, vehicle), *_parameters(mission.parameters, vehicle)]
+        found += _dock(mission, vehicle)
     return [Broken(*one) for one in found]
 
 
@@ -70,6 +71,34 @@ def _target(mission: Mission) -> Iterator[tuple[str, object, str]]:
             list(offset),
             f"must keep the target under water (depth {depth:g} m)",
         )
+
+
+def _dock(mission: Mission, vehicle: Vehicle) -> Iterator[tuple[str, object, str]]:
+    """What a dock to enter asks of itself, of the target and of the hull."""
+    dock, hull, target = mission.target.dock, vehicle.hull, mission.target
+    if dock is None:
+        return
+    if not isinstance(hull, MyringHull):
+        yield "target.dock", None, f"needs a hull of revolution; {vehicle.id} has none"
+        return
+    hull_m, end = hull.diameter_m / 2.0, dock.length_m
+    if dock.tube_radius_m <= hull_m:
+        yield "target.dock.tube_radius_m", dock.tube_radius_m, f"must be more than the hull's, {hull_m:g} m"
+    if dock.entry_radius_m < dock.tube_radius_m:
+        rule = f"must be at least tube_radius_m ({dock.tube_radius_m:g})"
+        yield "target.dock.entry_radius_m", dock.entry_radius_m, rule
+    if not dock.cone_length_m < dock.capture_depth_m < end:
+        rule = f"must be in the tube, between {dock.cone_length_m:g} and {end:g} m"
+        yield "target.dock.capture_depth_m", dock.capture_depth_m, rule
+    if dock.entry_before_marker_m < end + dock.wall_m:
+        rule = f"must be at least {end + dock.wall_m:g}: the marker hangs behind the stop"
+        yield "target.dock.entry_before_marker_m", dock.entry_before_marker_m, rule
+    nearest = dock.entry_before_marker_m + hull.nose_to_origin_m
+    if target.standoff_m < nearest:
+        rule = f"must be at least {nearest:g}: the nose stays outside of the dock until it is let in"
+        yield "target.standoff_m", target.standoff_m, rule
+    if target.turn_deg > 0.0:
+        yield "target.dock", None, "stands still: needs heading_tolerance_deg 0 and approach heading"
 
 
 def _times(mission: Mission) -> Iterator[tuple[str, object, str]]:

@@ -44,8 +44,10 @@ class DockingParameters:
         float, Number("Turning radius of the way round", "m", 0.1, 200.0, record="turn_radius")
     ] = 7.0
     keep_out_m: Annotated[
-        float, Number("Distance kept from the dock in F", "m", 0.0, 200.0, record="keep_out")
-    ] = 6.0
+        float,
+        Number("Distance kept from the dock in F", "m", 0.0, 200.0, record="keep_out",
+               help="From the circle about the target that holds the mission's dock."),
+    ] = 4.2  # fmt: skip
     break_off_m: Annotated[
         float,
         way("Last place to break off in F", "break_off", help="An approach not fit to go on ends here."),
@@ -73,6 +75,11 @@ class DockingParameters:
     ] = 0.03
     crab_far: Annotated[float, share("Largest heading correction far out", "crab_far", "Its sine.")] = 0.35
     crab_near: Annotated[float, share("The same at the observation point", "crab_near", "Its sine.")] = 0.05
+    crab_free: Annotated[
+        float,
+        share("The same where the approach heading may follow the hull", "crab_free",
+              "Its sine. In H the heading follows, and the angle goes."),
+    ] = 0.15  # fmt: skip
     crab_slope_per_m: Annotated[
         float, Number("Its growth with distance", "1/m", 0.0, 1.0, record="crab_slope")
     ] = 0.08
@@ -89,12 +96,17 @@ class DockingParameters:
         float, spell("Time in which the approach heading follows the current", "turn_time", 0.1)
     ] = 30.0
     turn_until_m: Annotated[float, way("Where that ends", "turn_until")] = 2.5
-    weathervane_s: Annotated[float, spell("Time in which it follows the hull in H", "weathervane", 0.1)] = (
-        40.0
-    )
-    side_still_mps: Annotated[float, pace("Current across that is borne at rest", "side_still")] = 0.012
-    side_share: Annotated[float, share("And per m/s of head current", "side_share")] = 0.12
-    following_mps: Annotated[float, pace("Current from astern that is borne", "following")] = 0.05
+    weathervane_s: Annotated[float, spell("Time in which it follows the hull in H", "weathervane", 0.1)] = 8.0
+    # what can't be held is refused before the start and given up in flight; what surely can is accepted;
+    # between the two lies a warning
+    side_still_mps: Annotated[float, pace("Most current across that is borne at rest", "side_still")] = 0.018
+    side_share: Annotated[float, share("And per m/s of head current", "side_share")] = 0.15
+    following_mps: Annotated[float, pace("Most current from astern that is borne", "following")] = 0.1
+    sure_side_still_mps: Annotated[
+        float, pace("Current across that is surely borne at rest", "", "Asked by the mission's check only.")
+    ] = 0.006
+    sure_side_share: Annotated[float, share("The same per m/s of head current", "")] = 0.07
+    sure_following_mps: Annotated[float, pace("Current from astern that is surely borne", "")] = 0.03
     # gates
     gate_distance_m: Annotated[
         float, way("Gate", "gate_distance", help="The approach stops there until the gate is passed.")
@@ -115,6 +127,21 @@ class DockingParameters:
     hover_heading_deg: Annotated[
         float, Number("Heading error in H that is not waited out", "deg", 0.1, 90.0, record="hover_heading")
     ] = 4.5
+    # into a dock that can be entered
+    creep_after_s: Annotated[
+        float, spell("Stay at the observation point before the dock is entered", "creep_after")
+    ] = 5.0
+    creep_speed_mps: Annotated[float, pace("Speed into the dock", "creep_speed", help="Over ground.")] = 0.1
+    creep_lateral_m: Annotated[
+        float, way("Offset from the axis before the entry", "creep_lateral", 10.0, "More waves off.")
+    ] = 0.2
+    creep_heading_deg: Annotated[
+        float, Number("Heading error before the entry", "deg", 0.1, 90.0, record="creep_heading")
+    ] = 8.0
+    creep_depth_m: Annotated[float, way("Depth error before the entry", "creep_depth", 10.0)] = 0.2
+    creep_time_s: Annotated[
+        float, spell("Time allowed from the observation point to the capture", "creep_time")
+    ] = 90.0
     # wave-off
     lost_far_s: Annotated[float, spell("Time without the target before the gate", "lost_far")] = 5.0
     lost_near_s: Annotated[

@@ -7,8 +7,9 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from bumpless.config.declare import Choice, Number, Row, Text, model
+from bumpless.config.declare import Choice, Number, Part, Row, Text, model
 from bumpless.config.names import BODY, WRENCH
+from bumpless.config.vehicle.published import PublishedCoefficients
 
 Vector3 = tuple[float, float, float]
 Wrench = tuple[float, ...]
@@ -62,6 +63,9 @@ class MyringHull:
     linear_damping: Annotated[
         Wrench, Row("Linear damping, diagonal", "N·s/m or N·m·s", 0.0, names=WRENCH)
     ] = (0.0,) * 6
+    coefficients: Annotated[
+        PublishedCoefficients | None, Part("Published coefficients, in place of strip theory's")
+    ] = None
 
     @property
     def length_m(self) -> float:

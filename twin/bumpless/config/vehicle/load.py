@@ -14,6 +14,7 @@ from bumpless.config.declare import Broken, Unread, read
 from bumpless.config.problems import Problem, ProblemsError
 from bumpless.config.text import BOM, NotText, decoded, foreign_kind
 from bumpless.config.vehicle.model import Document, Vehicle
+from bumpless.config.vehicle.parts import Fin
 from bumpless.config.vehicle.places import Places, beside
 from bumpless.config.vehicle.shared import origin_of, with_shared_fields
 
@@ -108,6 +109,11 @@ def _rules(document: Document) -> list[Broken]:
     if count > MAX_ACTUATORS:
         rule = f"must have {MAX_ACTUATORS} commands at most, they have {count}"
         found.append(Broken("actuators", None, rule))
+    screws = {actuator.name for actuator in document.actuators if actuator.kind != "fin"}
+    for i, actuator in enumerate(document.actuators):
+        if isinstance(actuator, Fin) and actuator.wash and actuator.wash.screw not in screws:
+            rule = f"must be a screw of this vehicle: {', '.join(sorted(screws)) or 'it has none'}"
+            found.append(Broken(f"actuators[{i}].wash.screw", actuator.wash.screw, rule))
     for name in ("camera", "near_camera"):
         camera = getattr(document.sensors, name)
         if camera is not None and camera.range_max_m <= camera.range_min_m:

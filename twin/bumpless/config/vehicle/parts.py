@@ -13,7 +13,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from bumpless.config.declare import Choice, Number, Row, Text, model
+from bumpless.config.declare import Choice, Number, Part, Row, Text, model
 from bumpless.config.names import BODY
 from bumpless.config.vehicle.body import Appendage as Appendage
 from bumpless.config.vehicle.body import Environment as Environment
@@ -21,6 +21,7 @@ from bumpless.config.vehicle.body import Hull as Hull
 from bumpless.config.vehicle.body import Mass as Mass
 from bumpless.config.vehicle.body import MyringHull as MyringHull
 from bumpless.config.vehicle.body import TabulatedHull as TabulatedHull
+from bumpless.config.vehicle.flow import ScrewFlow, Wash
 
 
 def actuator_name() -> Text:
@@ -65,6 +66,7 @@ class Fin:
     stall_angle_deg: Annotated[float, Number("Angle of stall", "deg", max=60.0, above=0.0)]
     reverse_lift_share: Annotated[float, Number("Share of the lift in reversed flow", "", 0.0, 1.0)]
     cross_flow_drag_coefficient: Annotated[float, Number("c_df, of flow across the plate", "", 0.0, 3.0)]
+    wash: Annotated[Wash | None, Part("Stream of a screw", help="With a mission's `actuator_flow`.")] = None
 
     @property
     def position_m(self) -> tuple[float, float, float]:
@@ -83,6 +85,9 @@ class Fin:
         """The deflection."""
         limit = self.deflection_max_deg
         return (Command(self.name, self.name, "deg", -limit, limit),)
+
+
+FLOW = Part("What flow does to it", help="With a mission's `actuator_flow`.")
 
 
 @model
@@ -128,6 +133,7 @@ class Thruster(Screw):
         tuple[float, float, float],
         Row("Where positive thrust pushes", names=BODY, nonzero=True, help="Normalised on use."),
     ]
+    flow: Annotated[ScrewFlow | None, FLOW] = None
 
     @property
     def commands(self) -> tuple[Command, ...]:
@@ -143,6 +149,7 @@ class Azimuth(Screw):
     angle_max_deg: Annotated[float, Number("Largest angle, to either side", "deg", max=180.0, above=0.0)]
     angle_rate_degps: Annotated[float, Number("Fastest change of the angle", "deg/s", above=0.0)]
     angle_time_constant_s: Annotated[float, Number("Time constant of the angle", "s", above=0.0)]
+    flow: Annotated[ScrewFlow | None, FLOW] = None
 
     @property
     def direction(self) -> tuple[float, float, float]:

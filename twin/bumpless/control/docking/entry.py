@@ -11,6 +11,7 @@ from bumpless.jit import jit
 from bumpless.physics.frames import direction, wrap
 
 _LITTLE = 0.5  # rad of turn too much that is made up on the line
+_PUSH = 2.0  # rad outwards for a vehicle in the middle of a circle it should keep out of
 
 
 @jit
@@ -50,18 +51,53 @@ def circle_heading(settings, eta, point, approach, side):
 
 
 @jit
-def clear_heading(settings, eta, target, heading, far):
+def keep_out(settings, plan):
+    """Radius of the circle about the target that is not entered in F, m."""
+    return settings.keep_out + plan.dock_radius
+
+
+@jit
+def clear_heading(keep, eta, target, heading, far):
     """`heading` (rad) turned away from the keep-out circle about the target (3,), where it leads into it.
 
-    far: m to the centre of the turning circle; a dock behind it is no obstacle.
+    keep: its radius, m; far: m to where the way leads; a dock behind that is no obstacle.
     """
-    dx, dy = target[0] - eta[0], target[1] - eta[1]
-    off, keep = max(hypot(dx, dy), 1e-6), settings.keep_out
-    bearing = direction(dx, dy)
+    bearing, off, least = tangent(keep, eta, target)
     aside = wrap(heading - bearing)
-    least = 0.5 * pi + 0.5 * (keep - off) / keep if off < keep else asin(keep / off)
     if abs(aside) < least and off < far + keep:
         return bearing + (least if aside >= 0.0 else -least)
+    return heading
+
+
+@jit
+def tangent(keep, eta, target):
+    """(bearing, off, least): of the target, rad, its distance, m, and how far off the bearing the tangent to
+    the keep-out circle lies, rad; from within the circle the tangent leads outwards."""
+    dx, dy = target[0] - eta[0], target[1] - eta[1]
+    off = max(hypot(dx, dy), 1e-6)
+    least = 0.5 * pi + _PUSH * (keep - off) / keep if off < keep else asin(keep / off)
+    return direction(dx, dy), off, least
+
+
+@jit
+def clear_leg(settings, plan, navigation, leg, left, heading, docking):
+    """`heading` (rad) of a leg before the last, turned away from a dock that is in its way and at its depth.
+
+    left: m to the leg's end. The side on which the dock is passed is kept, in docking.passing: the law leads
+    back to the leg, and would change it every time.
+    """
+    target, eta = navigation.target, navigation.eta
+    keep = keep_out(settings, plan)
+    bearing, off, least = tangent(keep, eta, target)
+    aside = wrap(heading - bearing)
+    past = abs(aside) >= max(least, 0.5 * pi) or off >= left + keep
+    if past or leg >= plan.n_legs - 1 or abs(eta[2] - target[2]) > settings.keep_out + plan.dock_half:
+        docking.passing = 0
+        return heading
+    if docking.passing == 0 and abs(aside) < least:
+        docking.passing = 1 if aside >= 0.0 else -1
+    if docking.passing * aside < least and docking.passing != 0:
+        return wrap(bearing + docking.passing * least)
     return heading
 
 
@@ -70,7 +106,7 @@ def entry_references(settings, plan, navigation, point, docking):
     """(u goal, z goal, psi_d) on the way round; drift is made good by a crab angle."""
     eta, target, current = navigation.eta, navigation.target, navigation.current
     heading, far = circle_heading(settings, eta, point, docking.heading, docking.side)
-    heading = wrap(clear_heading(settings, eta, target, heading, far))
+    heading = wrap(clear_heading(keep_out(settings, plan), eta, target, heading, far))
     along, across = along_across(current, heading)
     speed = plan.speed[plan.n_legs - 1]
     crab = asin(min(max(-across / speed, -settings.crab_far), settings.crab_far))

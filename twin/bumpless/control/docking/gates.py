@@ -4,6 +4,8 @@ Beyond the paper. `view` is the DOCKING_OUTPUT of this cycle: left, aside, off, 
 cone about the line is half as wide as cone_base + cone_slope * left.
 """
 
+from math import cos, sin
+
 from bumpless.contract.enums import (
     OFF_DEPTH,
     OFF_HEADING,
@@ -17,6 +19,8 @@ from bumpless.jit import jit
 
 _NEAR_OFF = 0.35  # rad of heading error that wave off behind the gate
 _FAR_OFF = 0.7  # and anywhere
+_BESIDE = 1e3  # m of room for a nose that is not before the dock
+NOSE_GUARD = 0.15  # m that the nose keeps before the dock's face
 
 
 @jit
@@ -63,13 +67,27 @@ def is_deep(settings, view):
 
 
 @jit
+def nose_room(plan, navigation, heading):
+    """Way of the nose to the plane of the dock's face, m, as believed; far where the nose is beside the dock.
+
+    heading: of the approach, rad; a dock that doesn't turn with it keeps the target's own.
+    """
+    axis = heading if plan.dock_turns == 1 else plan.target[3]
+    eta, target = navigation.eta, navigation.target
+    dx = eta[0] + plan.nose * cos(eta[5]) - target[0]
+    dy = eta[1] + plan.nose * sin(eta[5]) - target[1]
+    c, s = cos(axis), sin(axis)
+    return -(c * dx + s * dy) if abs(-s * dx + c * dy) < plan.dock_half + 2.0 * NOSE_GUARD else _BESIDE
+
+
+@jit
 def fault_of(dt, settings, view, docking):
     """WaveOffReason that ends an approach now, in R or H; 0: none."""
     near = max(view.left, 0.0)
     patience = settings.lost_near if view.left < settings.gate_distance else settings.lost_far
     if view.age > patience:
         return TARGET_LOST
-    if view.left < -settings.overshoot:
+    if view.left < -settings.overshoot or view.room < NOSE_GUARD:
         return OVERSHOT
     if abs(view.aside) > cone(settings, near):
         return OFF_LINE

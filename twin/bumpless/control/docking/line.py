@@ -51,18 +51,29 @@ def aim_aside(settings, along, across):
 
 
 @jit
-def largest_crab(settings, along, left):
+def largest_crab(settings, near, along, left):
     """Sine of the largest heading correction: it narrows towards the observation point, so that the marker
-    stays in view and the bow straight. along: of the current, m/s; left: m."""
+    stays in view and the bow straight. near: what is left of it there; along: of the current, m/s; left: m.
+    """
     missing = max(2.0 * settings.flow_floor - abs(along), 0.0)
     straighten = settings.straighten + settings.straighten_flow * missing
-    most = settings.crab_near + settings.crab_slope * max(abs(left) - straighten, 0.0)
+    most = near + settings.crab_slope * max(abs(left) - straighten, 0.0)
     return min(most, settings.crab_far)
 
 
 @jit
-def line_heading(dt, settings, current, u_r, learn, view, docking):
-    """psi_d that follows the approach line, rad. u_r: speed ahead through water; learn: drift is learnt."""
+def line_heading(dt, settings, current, u_r, learn, free, view, docking):
+    """psi_d that follows the approach line, rad. u_r: speed ahead through water; learn: drift is learnt;
+    free: the approach heading may follow the hull."""
+    along, _ = along_across(current, docking.heading)
+    near = settings.crab_free if free else settings.crab_near
+    most = largest_crab(settings, near, along, view.left)
+    return steer(dt, settings, current, u_r, learn, most, view, docking)
+
+
+@jit
+def steer(dt, settings, current, u_r, learn, most, view, docking):
+    """The same within a heading correction whose sine is `most`."""
     along, across = along_across(current, docking.heading)
     y = view.aside - aim_aside(settings, along, across + docking.drift)
     delta = settings.look_ahead + settings.look_ahead_slope * abs(u_r)
@@ -71,7 +82,6 @@ def line_heading(dt, settings, current, u_r, learn, view, docking):
         docking.drift += dt * settings.lateral_integral * abs(u_r) * y
         docking.drift = min(max(docking.drift, -_DRIFT_MOST), _DRIFT_MOST)
     rate = wanted - across - docking.drift - settings.lateral_damping * (docking.lateral_rate - wanted)
-    most = largest_crab(settings, along, view.left)
     sine = rate * u_r / (u_r * u_r + settings.flow_floor * settings.flow_floor)
     return wrap(docking.heading + asin(min(max(sine, -most), most)))
 
@@ -113,7 +123,8 @@ def line_references(dt, settings, reverse_max, plan, navigation, mode, u_d, view
     u_r = u_d - along
     approaching = docking.stage == APPROACH
     learn = approaching and mode != FORWARD
-    psi_d = line_heading(dt, settings, current, u_r, learn, view, docking)
+    free = plan.heading_tolerance > 0.0
+    psi_d = line_heading(dt, settings, current, u_r, learn, free, view, docking)
     if approaching and mode == HOVER:
         weathervane(dt, settings, plan, eta[5], u_r, docking)
     return u_goal, navigation.target[2], psi_d

@@ -17,8 +17,13 @@ DOCKING_STATE = np.dtype(
         ("heading", f8),  # approach heading in use, rad
         ("fix_age", i8),  # cycles since the last fix of the target
         ("side", i8),  # of the turn on to the approach line: 1 clockwise, -1 the other way
+        (
+            "passing",
+            i8,
+        ),  # side on which a dock beside a leg is passed: 1 to starboard, -1 to port; 0: none is
         ("cleared", i8),  # 1: the gate is passed
         ("gate_cycles", i8),  # spent waiting: at the gate, in H outside its limits, at the hold point
+        ("still", i8),  # cycles in a row in place at the observation point, before a dock to enter
         ("back_to", f8),  # distance before the observation point where a way back ends, m
         ("drift", f8),  # sideways drift learnt beside the estimated current, m/s
         ("lateral_rate", f8),  # speed over ground across the approach line, to starboard, smoothed, m/s
@@ -36,6 +41,7 @@ DOCKING_OUTPUT = np.dtype(  # where the vehicle is on the approach line in this 
         ("left", f8),  # way left along the line to the observation point, m
         ("aside", f8),  # offset from the line, positive to starboard, m
         ("off", f8),  # |heading error|, rad
+        ("room", f8),  # way of the nose to the dock's face, m
         ("deep", f8),  # |depth error| against the target, m
         ("age", f8),  # of the last fix, s
         ("detected", i8),  # chi

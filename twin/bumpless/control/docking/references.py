@@ -5,8 +5,9 @@ Beyond the paper. reference (6,) = [u_d v_d z_d phi_d theta_d psi_d], m/s, m and
 
 from math import asin, atan, cos, sin
 
-from bumpless.contract.enums import ENTRY, TRANSIT
-from bumpless.control.docking.entry import entry_references
+from bumpless.contract.enums import CREEP, ENTRY, TRANSIT
+from bumpless.control.docking.creep import creep_references
+from bumpless.control.docking.entry import clear_leg, entry_references
 from bumpless.control.docking.line import line_references
 from bumpless.control.guidance.guide import approach
 from bumpless.control.guidance.path import follow_path
@@ -99,11 +100,15 @@ def guide_docking(dt, settings, plan, s, situation, view, out):
     docking, navigation, guidance = s.docking, s.navigation, s.guidance
     law, reference, stage = settings.guidance, s.guidance.reference, s.docking.stage
     if stage == TRANSIT:
-        goals = follow_path(dt, law, plan, navigation, situation, guidance, out)
+        u_goal, z_goal, psi_d = follow_path(dt, law, plan, navigation, situation, guidance, out)
+        psi_d = clear_leg(settings.docking, plan, navigation, guidance.leg, out.along_track, psi_d, docking)
+        goals = u_goal, z_goal, psi_d
     else:
         out.cross_track, out.along_track = view.aside, view.left
         if stage == ENTRY:
             goals = entry_references(settings.docking, plan, navigation, situation.station, docking)
+        elif stage == CREEP:
+            goals = creep_references(dt, settings.docking, plan, navigation, reference[0], view, docking)
         else:
             goals = line_references(
                 dt, settings.docking, law.reverse_max, plan, navigation, situation.mode, reference[0], view,

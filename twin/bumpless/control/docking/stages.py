@@ -13,6 +13,7 @@ from math import hypot
 from bumpless.contract.enums import (
     APPROACH,
     BACK,
+    CREEP,
     CURRENT,
     ENTRY,
     FORWARD,
@@ -24,6 +25,7 @@ from bumpless.contract.enums import (
     TOO_SLOW,
     TRANSIT,
 )
+from bumpless.control.docking.entry import keep_out
 from bumpless.control.docking.gates import (
     can_join,
     cone,
@@ -33,6 +35,7 @@ from bumpless.control.docking.gates import (
     is_deep,
     is_on_line,
     is_out_in_hover,
+    nose_room,
 )
 from bumpless.control.docking.heading import choose_heading, follow_current, holdable
 from bumpless.control.docking.line import place_on_line
@@ -53,6 +56,7 @@ def see_line(dt, plan, navigation, detected, point, docking, view):
     place_on_line(eta, point, docking.heading, view)
     view.off = abs(wrap(eta[5] - docking.heading))
     view.deep = abs(eta[2] - navigation.target[2])
+    view.room = nose_room(plan, navigation, docking.heading)
     view.age, view.detected = docking.fix_age * dt, detected
 
 
@@ -158,7 +162,7 @@ def on_way_back(cycle, dt, settings, plan, navigation, point, view, docking):
     blind = view.age > settings.lost_far
     slow = abs(navigation.nu[0]) < 0.1 or view.left > docking.back_to + 2.0
     arrived = view.left >= docking.back_to - 0.2 and slow
-    if not arrived and not (waited > _WAITED_S and view.left > settings.keep_out):
+    if not arrived and not (waited > _WAITED_S and view.left > keep_out(settings, plan)):
         return REVERSE
     docking.gate_cycles += 1
     if blind and docking.gate_cycles * dt < settings.patience:
@@ -186,7 +190,7 @@ def next_stage(clock, dt, settings, supervisor, plan, navigation, leg, mode, poi
         mode = approach_near(cycle, dt, settings, supervisor, mode, view, docking)
     elif docking.stage == BACK:
         mode = on_way_back(cycle, dt, settings, plan, navigation, point, view, docking)
-    else:
+    elif docking.stage != CREEP:
         mode = HOVER
     observation_point(navigation.target, docking.heading, plan.standoff, point)
     place_on_line(navigation.eta, point, docking.heading, view)

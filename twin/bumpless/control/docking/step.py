@@ -6,6 +6,7 @@ settings: SETTINGS; s: STATE; view: DOCKING_OUTPUT; m: MEASUREMENT.
 from math import hypot, isfinite
 
 from bumpless.contract.enums import APPROACH, COMPLETED, HOLD, HOVER, TIME_OVER
+from bumpless.control.docking.creep import creep_mode
 from bumpless.control.docking.references import (
     begin_at,
     guide_docking,
@@ -46,7 +47,7 @@ def start_as_found(model, m, s):
 
 
 @jit
-def stage_mode(settings, plan, phase, s, situation, view):
+def stage_mode(settings, plan, model, phase, s, situation, view):
     """The mode for this cycle. A mission that is over holds station clear of the dock, or where it docked."""
     docking, mode = s.docking, s.supervisor.mode
     docked = docking.stage == APPROACH and mode == HOVER
@@ -57,6 +58,9 @@ def stage_mode(settings, plan, phase, s, situation, view):
         situation.station, view, docking,
     )  # fmt: skip
     situation.station[3] = docking.heading
+    if plan.dock == 1:
+        nose = model.rings.x[0]
+        mode = creep_mode(s.clock.cycle, settings.dt, settings.docking, plan, nose, mode, view, docking)
     return mode
 
 

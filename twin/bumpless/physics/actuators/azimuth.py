@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING
 from bumpless.jit import inline
 from bumpless.physics.actuators import thruster
 from bumpless.physics.actuators.geometry import add_force, force_against, inflow_along
-from bumpless.physics.actuators.thruster import axial_wrench, missed_share, thrust_and_torque, thrust_scale
+from bumpless.physics.actuators.thruster import axial_wrench, missed_share, on_hull, thrust_scale
 
 if TYPE_CHECKING:
     import numpy as np
@@ -55,8 +55,7 @@ def heading(model, i, angle):
 def wrench(model, i, u, nu_r):
     """(X, Y, Z, K, M, N) at the commands u (8,) as they are now: eq. (9) of Gao et al. 2026 along e."""
     e, _ = heading(model, i, u[i + 1])
-    inflow = inflow_along(model, i, nu_r, e[0], e[1], e[2])
-    force, torque = thrust_and_torque(model, i, u[i], inflow)
+    force, torque = on_hull(model, i, u[i], nu_r, e[0], e[1], e[2])
     return axial_wrench(model, i, force, torque, e[0], e[1], e[2])
 
 

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from bumpless.jit import inline, jit
 from bumpless.physics.actuators.geometry import add_force, force_against, inflow_along
+from bumpless.physics.actuators.screw_flow import wash
 from bumpless.physics.frames import wrap
 
 if TYPE_CHECKING:
@@ -110,13 +111,14 @@ def fin_coefficient_curvature(model, i, alpha):
 
 
 @inline
-def fin_force(model, i, delta, nu_r):
+def fin_force(model, i, delta, nu_r, stream):
     """(F_x, F_e, dF_x/ddelta, dF_e/ddelta): force of fin i along x_b and along its lift direction, N.
 
-    delta in rad, nu_r (6,) relative velocity in body axes. Source: eq. (14)-(20).
+    delta in rad, nu_r (6,) relative velocity in body axes, stream: what a screw adds to it along x_b, m/s.
+    Source: eq. (14)-(20).
     """
     e = model.direction[i]
-    u = inflow_along(model, i, nu_r, 1.0, 0.0, 0.0)
+    u = inflow_along(model, i, nu_r, 1.0, 0.0, 0.0) + stream
     v = inflow_along(model, i, nu_r, e[0], e[1], e[2])
     speed2 = u * u + v * v
     if speed2 < 1e-12:
@@ -137,7 +139,13 @@ def wrench(model, i, u, nu_r):
     """(X, Y, Z, K, M, N) at the commands u (8,) as they are now. Source: eq. (23)-(26)."""
     ex, ey, ez = model.direction[i, 0], model.direction[i, 1], model.direction[i, 2]
     x, y, z = model.position[i, 0], model.position[i, 1], model.position[i, 2]
-    axial, force, _, _ = fin_force(model, i, u[i], nu_r)
+    axial, force, _, _ = fin_force(model, i, u[i], nu_r, 0.0)
+    if model.flow == 1 and model.washed_by[i] > 0:
+        screw, share = model.washed_by[i] - 1, model.washed_share[i]
+        added = wash(model, i, screw, u[screw], nu_r)
+        washed_axial, washed_force, _, _ = fin_force(model, i, u[i], nu_r, added)
+        axial += share * (washed_axial - axial)
+        force += share * (washed_force - force)
     fx, fy, fz = axial + force * ex, force * ey, force * ez
     return fx, fy, fz, y * fz - z * fy, z * fx - x * fz, x * fy - y * fx
 
@@ -163,9 +171,9 @@ def add_map(model, i, x, u_previous, alpha, nu_r, tau, column):
     Source: eq. (27)-(34).
     """
     e, scale = model.direction[i], model.command_max[i]
-    fx, fe, dx, de = fin_force(model, i, x[i] * scale, nu_r)
+    fx, fe, dx, de = fin_force(model, i, x[i] * scale, nu_r, 0.0)
     if model.fins_coast == 1:
-        fx, _, _, _ = fin_force(model, i, u_previous[i], nu_r)
+        fx, _, _, _ = fin_force(model, i, u_previous[i], nu_r, 0.0)
         dx = 0.0
     add_force(model, i, alpha * (fx + fe * e[0]), alpha * fe * e[1], alpha * fe * e[2], tau)
     g = alpha * scale

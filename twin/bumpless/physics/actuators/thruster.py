@@ -18,6 +18,7 @@ import numpy as np
 
 from bumpless.jit import inline
 from bumpless.physics.actuators.geometry import add_force, inflow_along
+from bumpless.physics.actuators.screw_flow import in_flow
 
 if TYPE_CHECKING:
     from bumpless.config.vehicle.parts import Screw, Thruster
@@ -82,6 +83,14 @@ def thrust_and_torque(model, i, n, inflow):
 
 
 @inline
+def on_hull(model, i, n, nu_r, ex, ey, ez):
+    """(T, Q) of the screw on the hull along (ex, ey, ez): published, or with all that flow does to it."""
+    if model.flow == 1:
+        return in_flow(model, i, n, nu_r, ex, ey, ez)
+    return thrust_and_torque(model, i, n, inflow_along(model, i, nu_r, ex, ey, ez))
+
+
+@inline
 def axial_wrench(model, i, force, torque, ex, ey, ez):
     """(X, Y, Z, K, M, N) of a force and a torque along (ex, ey, ez) at actuator i."""
     x, y, z = model.position[i, 0], model.position[i, 1], model.position[i, 2]
@@ -100,8 +109,7 @@ def axial_wrench(model, i, force, torque, ex, ey, ez):
 def wrench(model, i, u, nu_r):
     """(X, Y, Z, K, M, N) at the commands u (8,) as they are now. Source: eq. (23)-(26)."""
     ex, ey, ez = model.direction[i, 0], model.direction[i, 1], model.direction[i, 2]
-    inflow = inflow_along(model, i, nu_r, ex, ey, ez)
-    force, torque = thrust_and_torque(model, i, u[i], inflow)
+    force, torque = on_hull(model, i, u[i], nu_r, ex, ey, ez)
     return axial_wrench(model, i, force, torque, ex, ey, ez)
 
 

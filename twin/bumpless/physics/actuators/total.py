@@ -2,6 +2,7 @@
 
 from bumpless.jit import inline, jit
 from bumpless.physics.actuators.dispatch import wrench
+from bumpless.physics.actuators.screw_flow import turning
 
 
 @jit
@@ -36,6 +37,8 @@ def total_wrench(model, u, effectiveness, nu_r, out):
 @inline
 def lag_rate(model, i, command, u):
     """Rate of the state u of slot i towards its command: first-order lag within the rate limit."""
+    if model.flow == 1:
+        command = turning(model, i, command)
     rate = (command - u) / model.time_constant[i]
     limit = model.command_rate[i]
     return min(max(rate, -limit), limit)

@@ -8,6 +8,18 @@ import numpy as np
 f8, i8 = np.float64, np.int64
 MAX_RINGS = 24
 
+CONTACT = np.dtype(  # as last computed; zero away from the dock
+    [
+        ("wrench", f8, 6),  # of the dock on the hull, body axes about O_b, N and N m
+        ("force", f8),  # sum of the normal forces, N
+        ("peak", f8),  # largest of them in this control period, N
+        ("energy", f8),  # stored in the contacts, sum of k delta^2 / 2, J
+        ("nose_depth", f8),  # of the nose behind the entry, m; negative before it
+        ("nose_offset", f8),  # of the nose from the axis, m
+    ],
+    align=True,
+)
+
 DOCK = np.dtype(
     [
         ("present", i8),  # 1 when there is a dock to enter
@@ -28,17 +40,10 @@ DOCK = np.dtype(
         ("amplitude", f8, 3),  # north, east, down, m
         ("period", f8),  # s; 0: it stands still
         ("phase", f8),  # rad
-    ],
-    align=True,
-)
-
-CONTACT = np.dtype(
-    [
-        ("wrench", f8, 6),  # of the dock on the hull, body axes about O_b, N and N m
-        ("force", f8),  # sum of the normal forces, N
-        ("energy", f8),  # stored in the contacts, sum of k delta^2 / 2, J
-        ("nose_depth", f8),  # of the nose behind the entry, m; negative before it
-        ("nose_offset", f8),  # of the nose from the axis, m
+        ("marker", f8, 3),  # the marker from the middle of the entry, NED, m
+        ("force_most", f8),  # N, that dock and hull bear
+        ("captured", i8),  # 1: the latch has closed
+        ("felt", CONTACT),
     ],
     align=True,
 )

@@ -11,6 +11,7 @@ from bumpless.physics.hydrodynamics.added_mass import added_mass
 from bumpless.physics.hydrodynamics.drag import appendage_drag, axial_drag, cross_flow_drag
 from bumpless.physics.hydrodynamics.lift import body_lift
 from bumpless.physics.hydrodynamics.myring import HullStrips
+from bumpless.physics.hydrodynamics.published import published_matrices
 
 
 @dataclass(frozen=True)
@@ -38,7 +39,10 @@ def hull_coefficients(vehicle: Vehicle) -> Coefficients:
     if isinstance(hull, TabulatedHull):
         quadratic = np.diag(hull.quadratic_damping) + extra
         return Coefficients(np.diag(hull.added_mass), D_linear, quadratic, np.zeros((6, 6)))
-    strips = HullStrips(hull)
     fins = [a for a in vehicle.actuators if isinstance(a, Fin)]
+    if hull.coefficients:
+        M_A, quadratic, lift = published_matrices(hull.coefficients, fins, rho)
+        return Coefficients(M_A, D_linear, quadratic + extra, lift)
+    strips = HullStrips(hull)
     quadratic = axial_drag(strips, rho) + cross_flow_drag(strips, rho) + extra
     return Coefficients(added_mass(strips, fins, rho), D_linear, quadratic, body_lift(strips, rho))

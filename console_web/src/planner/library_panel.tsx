@@ -1,0 +1,224 @@
+// All missions: stored ones, those that come with Bumpless, and drafts of this browser. Opened from the plan's top line.
+import { useSignal } from "@preact/signals";
+import { useEffect, useRef } from "preact/hooks";
+import { ask } from "../api/client";
+import { Resource } from "../api/resource";
+import { missions } from "../api/resources";
+import { clock } from "../lib/format";
+import { CrossIcon } from "../ui/icons";
+import { present } from "./map/figures";
+import { tool } from "./map/tools";
+import {
+  draftNames,
+  fromTemplate,
+  fromText,
+  importFile,
+  name,
+  newMission,
+  openMission,
+} from "./model/library";
+import "./library_panel.css";
+
+interface Entry {
+  name: string;
+  title: string;
+  about: string;
+  vehicle: string;
+  duration: number | null;
+  builtin: boolean;
+  draft: boolean;
+  valid: boolean;
+}
+
+function entries(): Entry[] {
+  const files = missions.value ?? [];
+  const drafts = new Set(draftNames.value);
+  const stored = files.map((file) => ({
+    name: file.name,
+    title: file.title || file.name,
+    about: file.summary,
+    vehicle: file.vehicle,
+    duration: file.duration_s,
+    builtin: file.builtin === true,
+    draft: drafts.has(file.name),
+    valid: file.valid !== false,
+  }));
+  const known = new Set(files.map((file) => file.name));
+  const only = [...drafts]
+    .filter((one) => !known.has(one))
+    .map((one) => ({
+      name: one,
+      title: one,
+      about: "Only in this browser",
+      vehicle: "",
+      duration: null,
+      builtin: false,
+      draft: true,
+      valid: true,
+    }));
+  return [...only, ...stored.filter((one) => !one.builtin), ...stored.filter((one) => one.builtin)];
+}
+
+export function begin(): void {
+  newMission(present.peek() || "ts100");
+  tool.value = "waypoint";
+}
+
+export function Library({ onClose }: { onClose: () => void }) {
+  const wanted = useSignal("");
+  const box = useRef<HTMLInputElement>(null);
+  useEffect(() => {
+    void missions.refresh();
+    box.current?.focus();
+  }, []);
+  const words = wanted.value.toLowerCase().split(/\s+/).filter(Boolean);
+  const shown = entries().filter((entry) =>
+    words.every((word) => `${entry.name} ${entry.title} ${entry.about}`.toLowerCase().includes(word)),
+  );
+  return (
+    <section class="panel library" aria-label="Missions to open">
+      <header class="panel-head">
+        <h2>Open a mission</h2>
+        <span class="grow" />
+        <button
+          type="button"
+          class="action small primary"
+          onClick={() => {
+            begin();
+            onClose();
+          }}
+        >
+          New mission
+        </button>
+        <Import onClose={onClose} />
+        {name.value && (
+          <button type="button" class="quiet" aria-label="Close the list" onClick={onClose}>
+            <CrossIcon />
+          </button>
+        )}
+      </header>
+      <div class="library-search">
+        <input
+          ref={box}
+          type="search"
+          aria-label="Search missions"
+          placeholder="Search by name, title or purpose"
+          value={wanted.value}
+          onInput={(event) => {
+            wanted.value = event.currentTarget.value;
+          }}
+          onKeyDown={(event) => event.key === "Escape" && onClose()}
+        />
+      </div>
+      {words.length === 0 && <Templates onClose={onClose} />}
+      <ul class="library-rows">
+        {shown.map((entry) => (
+          <Row key={entry.name} entry={entry} onClose={onClose} />
+        ))}
+        {shown.length === 0 && (
+          <li class="empty">
+            {words.length ? "No mission has these words." : "No missions yet: begin a new one."}
+          </li>
+        )}
+      </ul>
+    </section>
+  );
+}
+
+const templates = new Resource(() => ask("get", "/api/mission-templates"));
+
+function Templates({ onClose }: { onClose: () => void }) {
+  const list = templates.value ?? [];
+  if (list.length === 0) return null;
+  return (
+    <div class="library-templates">
+      <span class="muted">Begin from</span>
+      {list.map(({ name: id, title, summary, yaml }) => (
+        <button
+          key={id}
+          type="button"
+          class="action small"
+          title={summary}
+          onClick={() => {
+            fromText(id, yaml);
+            onClose();
+          }}
+        >
+          {title}
+        </button>
+      ))}
+    </div>
+  );
+}
+
+const FOREIGN = ".yaml,.yml,.plan,.waypoints,.txt,.geojson,.json,.kml,.kmz,.csv,.bhv,.nmis,.nmisz";
+
+function Import({ onClose }: { onClose: () => void }) {
+  const box = useRef<HTMLInputElement>(null);
+  return (
+    <>
+      <button
+        type="button"
+        class="action small"
+        title="YAML, QGroundControl .plan, WPL, GeoJSON, KML, CSV, MOOS-IvP .bhv, Neptus .nmis"
+        onClick={() => box.current?.click()}
+      >
+        Import …
+      </button>
+      <input
+        ref={box}
+        type="file"
+        accept={FOREIGN}
+        class="sr"
+        tabIndex={-1}
+        aria-label="File to import"
+        onChange={(event) => {
+          const [file] = event.currentTarget.files ?? [];
+          event.currentTarget.value = "";
+          if (file) void importFile(file).then(onClose);
+        }}
+      />
+    </>
+  );
+}
+
+function Row({ entry, onClose }: { entry: Entry; onClose: () => void }) {
+  const foreign = present.value !== "" && entry.vehicle !== "" && entry.vehicle !== present.value;
+  return (
+    <li class="library-row" data-foreign={foreign ? "yes" : undefined}>
+      <button
+        type="button"
+        class="library-open"
+        aria-current={entry.name === name.value ? "true" : undefined}
+        onClick={() => {
+          void openMission(entry.name);
+          onClose();
+        }}
+      >
+        <span class="row-title">
+          <b class="ellipsis">{entry.title}</b>
+          {entry.draft && <span class="tag">draft</span>}
+          {!entry.valid && <span class="tag">breaks a rule</span>}
+          {foreign && <span class="tag">for {entry.vehicle}</span>}
+          <span class="grow" />
+          {entry.duration !== null && <span class="muted num">{clock(entry.duration)}</span>}
+        </span>
+        <span class="muted library-about">{entry.about}</span>
+      </button>
+      {entry.builtin && (
+        <button
+          type="button"
+          class="action small"
+          title="A mission of your own that begins as this one"
+          aria-label={`New from ${entry.title}`}
+          onClick={() => {
+            void fromTemplate(entry.name);
+            onClose();
+          }}
+        >
+          New from it
+        </button>
+      )}
+    </li>
+  );
+}

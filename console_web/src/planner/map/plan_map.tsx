@@ -1,0 +1,176 @@
+// The plan from above: draw, drag, look around. All of it works by keyboard too (see keys.ts).
+import { untracked, useSignalEffect } from "@preact/signals";
+import { useEffect, useRef } from "preact/hooks";
+import { fixed } from "../../lib/format";
+import { flying } from "../../stream/link";
+import { live } from "../../stream/store";
+import { plan } from "../fly/forecast";
+import { onPlanKey } from "../keys";
+import { badge, name } from "../model/library";
+import { dragging, mission, selected } from "../model/plan";
+import { NextStep } from "../next_step";
+import { fitSoon, look, showAll, size, viewport } from "./camera";
+import { figures } from "./figures";
+import { box, cursorAt, gestures, hovered } from "./map_gestures";
+import { paintPlan, type Scene } from "./paint";
+import { Surface } from "./surface";
+import { dockUp, grid, measured, TOOLS, tool } from "./tools";
+import { type Size, zoomed } from "./viewport";
+import "./plan_map.css";
+
+function scene(extent: Size): Scene {
+  const forecast = plan.forecast.value;
+  const picked = plan.picked.value;
+  return {
+    view: mission.value,
+    viewport: viewport.value,
+    size: extent,
+    selected: selected.value,
+    hovered: hovered.value?.thing,
+    figures: figures.value,
+    nominal: forecast?.nominal,
+    flights: forecast?.flights ?? [],
+    picked: picked === undefined ? undefined : forecast?.flights.find(({ seed }) => seed === picked),
+    stale: !plan.current.value || dragging.value,
+    vehicle: flownHere(),
+    box: box.value,
+    measured: measured.value,
+    cursor: tool.value === "measure" ? cursorAt.value : undefined,
+  };
+}
+
+/** The vehicle, while it flies the plan that is shown. */
+function flownHere(): Scene["vehicle"] {
+  if (!flying.value || badge.value !== "held" || !live.isFresh("tlm/navigation")) return undefined;
+  const navigation = live.latest("tlm/navigation");
+  if (!navigation?.positionNedM) return undefined;
+  const { x, y } = navigation.positionNedM;
+  return { north: x, east: y, heading: navigation.attitude?.yawDeg ?? 0 };
+}
+
+function cursor(): string {
+  if (hovered.value && tool.value !== "measure") return hovered.value.kind === "split" ? "copy" : "grab";
+  return tool.value === "select" ? "default" : "crosshair";
+}
+
+export function PlanMap() {
+  const fittedTo = useRef<string | undefined>(undefined);
+  const ready = size.value.width > 0;
+  const open = name.value;
+  useEffect(() => {
+    if (!ready || !open || fittedTo.current === open) return;
+    fittedTo.current = open;
+    fitSoon.value = true;
+    showAll();
+  }, [ready, open]);
+  useSignalEffect(() => {
+    if (!fitSoon.value || dragging.value || !plan.current.value || !plan.forecast.value?.nominal) return;
+    fitSoon.value = false;
+    untracked(showAll);
+  });
+  const v = viewport.value;
+  return (
+    <section class="panel plan-map" aria-label="Plan from above">
+      <MapTools />
+      <div class="plan-water">
+        <Surface
+          name="Plan from above"
+          scene={scene}
+          paint={paintPlan}
+          gestures={gestures}
+          onKey={onPlanKey}
+          onSize={(next) => {
+            size.value = next;
+          }}
+          cursor={cursor()}
+          describedBy="plan-keys"
+          frame={[v.x, v.y, v.sx, v.turn].map((number) => number.toFixed(5)).join(" ")}
+        />
+        <NextStep />
+        <Readout />
+        <p id="plan-keys" class="sr">
+          N and P select the next and previous thing, arrows move it, Page up and down change its depth, W
+          adds a waypoint after it, Delete removes it, question mark lists all keys.
+        </p>
+      </div>
+    </section>
+  );
+}
+
+function MapTools() {
+  const zoom = (by: number): void => {
+    const { width, height } = size.peek();
+    look(zoomed(viewport.peek(), size.peek(), width / 2, height / 2, by));
+  };
+  return (
+    <header class="panel-head map-tools">
+      <div class="segments tools">
+        {TOOLS.map(({ id, name: word, key, about }) => (
+          <button
+            key={id}
+            type="button"
+            aria-pressed={tool.value === id}
+            title={`${about} (${key})`}
+            onClick={() => {
+              tool.value = id;
+            }}
+          >
+            {word}
+          </button>
+        ))}
+      </div>
+      <label
+        class="grid-choice"
+        title="What is placed or dragged goes to this grid; hold Alt to place it freely"
+      >
+        <span class="muted">Snap</span>
+        <select
+          class="small"
+          value={String(grid.value)}
+          onChange={(event) => {
+            grid.value = Number(event.currentTarget.value);
+          }}
+        >
+          {[0, 0.1, 0.5, 1, 5, 10].map((step) => (
+            <option key={step} value={String(step)}>
+              {step ? `${step} m` : "off"}
+            </option>
+          ))}
+        </select>
+      </label>
+      <span class="grow" />
+      <button
+        type="button"
+        class="action small"
+        aria-pressed={dockUp.value}
+        disabled={!mission.value.dock}
+        title="Turn the picture so that the approach points up"
+        onClick={() => {
+          dockUp.value = !dockUp.peek();
+          showAll();
+        }}
+      >
+        {dockUp.value ? "North up" : "Dock up"}
+      </button>
+      <button type="button" class="action small" aria-label="Zoom out" onClick={() => zoom(1 / 1.4)}>
+        −
+      </button>
+      <button type="button" class="action small" aria-label="Zoom in" onClick={() => zoom(1.4)}>
+        +
+      </button>
+      <button type="button" class="action small" title="The whole plan in view (F)" onClick={showAll}>
+        Fit
+      </button>
+    </header>
+  );
+}
+
+function Readout() {
+  const at = cursorAt.value;
+  if (!at) return null;
+  return (
+    <output class="readout num" aria-label="Pointer">
+      N {fixed(at[0], 1)} E {fixed(at[1], 1)} m
+    </output>
+  );
+}

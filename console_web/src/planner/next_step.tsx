@@ -1,0 +1,83 @@
+// One line over the water: what to do next, so that nobody has to read a manual first.
+import { PlayIcon } from "../ui/icons";
+import { hard, plan } from "./fly/forecast";
+import { mend } from "./fly/mend";
+import { tool } from "./map/tools";
+import { name, unsaved } from "./model/library";
+import { nextIndex } from "./model/operations";
+import { broken, dragging, mission, selected } from "./model/plan";
+import { preflight } from "./preflight_state";
+import "./next_step.css";
+
+export function NextStep() {
+  if (!name.value || broken.value || dragging.value) return null;
+  const view = mission.value;
+  const free = nextIndex(view);
+  if (tool.value === "measure") return <Hint>Click two or more points. Escape ends.</Hint>;
+  if (tool.value === "current")
+    return <Hint>Drag on the water the way the current flows: 42 px are the dial's radius.</Hint>;
+  if (tool.value === "dock")
+    return <Hint>Press where the dock is, and drag the way the vehicle shall point when it docks.</Hint>;
+  if (free === 0) return <Hint>Click on the water: each click is a waypoint.</Hint>;
+  if (!view.dock)
+    return (
+      <Hint>
+        {tool.value === "waypoint" ? "Go on clicking for more waypoints, then" : "Now"}
+        <button
+          type="button"
+          class="action small primary"
+          onClick={() => {
+            tool.value = "dock";
+          }}
+        >
+          Place the dock
+        </button>
+      </Hint>
+    );
+  return <Judged />;
+}
+
+function Judged() {
+  const forecast = plan.forecast.value;
+  if (!plan.current.value || !forecast) return null;
+  const [first] = hard.value;
+  if (first) {
+    const [best] = first.mends;
+    return (
+      <div class="next-step" data-look="poor" role="status" aria-label="Next step">
+        <span>This can't work as it is.</span>
+        {best && (
+          <button type="button" class="action small primary" onClick={() => mend(best)}>
+            {best.label}
+          </button>
+        )}
+      </div>
+    );
+  }
+  if (forecast.state !== "done" || !forecast.chance || forecast.problems.length > 0) return null;
+  const share = forecast.chance.docked / Math.max(1, forecast.chance.of);
+  if (share < 0.95) return null;
+  return (
+    <div class="next-step" data-look="good" role="status" aria-label="Next step">
+      <span>This will dock.</span>
+      <button
+        type="button"
+        class="action small primary"
+        onClick={() => {
+          selected.value = [];
+          preflight.value = true;
+        }}
+      >
+        <PlayIcon /> {unsaved.value ? "Save and start" : "Start"} …
+      </button>
+    </div>
+  );
+}
+
+function Hint({ children }: { children: preact.ComponentChildren }) {
+  return (
+    <div class="next-step" role="status" aria-label="Next step">
+      {children}
+    </div>
+  );
+}

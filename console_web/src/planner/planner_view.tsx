@@ -1,0 +1,137 @@
+// Plan: one mission drawn, typed and flown ahead. Left the plan and its depth, right what will happen and the details.
+import { signal, useSignal, useSignalEffect } from "@preact/signals";
+import { useEffect } from "preact/hooks";
+import { missions } from "../api/resources";
+import { Main } from "../ui/main";
+import { Segments } from "../ui/segments";
+import { plan } from "./fly/forecast";
+import { ForecastPanel } from "./fly/forecast_panel";
+import { fields } from "./forms/fields";
+import { LegsTable } from "./forms/legs_table";
+import { SelectedForm } from "./forms/selected_form";
+import { KEYS, onAnyKey, onClipboard } from "./keys";
+import { Library } from "./library_panel";
+import { learn } from "./map/figures";
+import { PlanMap } from "./map/plan_map";
+import { autosave, name, named, openMission } from "./model/library";
+import { broken, dragging, mission, selected } from "./model/plan";
+import { PlanBar } from "./plan_bar";
+import { Preflight } from "./preflight";
+import { Profile } from "./profile/profile";
+import { YamlEditor } from "./text/yaml_editor";
+import "./planner_view.css";
+
+type Tab = "form" | "legs" | "text" | "keys";
+const tab = signal<Tab>("form");
+const TABS: readonly { value: Tab; name: string; about: string }[] = [
+  { value: "form", name: "Details", about: "Every number of what is selected, or of the mission" },
+  { value: "legs", name: "Legs", about: "Length, time and depth rate of each leg" },
+  { value: "text", name: "YAML", about: "The file itself" },
+  { value: "keys", name: "Keys", about: "What the keyboard does" },
+];
+
+export function PlannerView({ hidden }: { hidden: boolean }) {
+  const library = useSignal(named() === "");
+  useEffect(() => {
+    void missions.refresh();
+    const goOn = (): void => {
+      const wanted = named();
+      if (wanted && wanted !== name.peek()) void openMission(wanted);
+    };
+    goOn();
+    const stops = [autosave(), plan.follow(() => name.value !== "" && !broken.value && flies())];
+    addEventListener("hashchange", goOn);
+    for (const kind of ["copy", "cut", "paste"] as const) document.addEventListener(kind, onClipboard);
+    document.addEventListener("keydown", onAnyKey);
+    return () => {
+      for (const stop of stops) stop();
+      removeEventListener("hashchange", goOn);
+      for (const kind of ["copy", "cut", "paste"] as const) document.removeEventListener(kind, onClipboard);
+      document.removeEventListener("keydown", onAnyKey);
+    };
+  }, []);
+  useSignalEffect(() => {
+    if (!dragging.value) void learn(mission.value.vehicle);
+  });
+  useSignalEffect(() => {
+    library.value = name.value === "" && named() === "";
+  });
+  const close = (): void => {
+    library.value = false;
+  };
+  return (
+    <Main name="Plan" class="view planner" hidden={hidden}>
+      <PlanBar
+        open={library.value}
+        onOpen={() => {
+          library.value = !library.peek();
+        }}
+      />
+      <div class="planner-body">
+        <div class="column planner-left">
+          <PlanMap />
+          <Profile />
+        </div>
+        <div class="column planner-right" data-tab={tab.value}>
+          <ForecastPanel onPlace={() => undefined} />
+          <Details />
+        </div>
+        {library.value && <Library onClose={close} />}
+      </div>
+      <Preflight />
+    </Main>
+  );
+}
+
+/** A plan without a way or a dock is not flown: the next step says what is missing. */
+function flies(): boolean {
+  const view = mission.value;
+  return view.legs.length > 0 && view.dock !== undefined;
+}
+
+function Details() {
+  // Asked for here so that completion has them before the form was opened.
+  void fields.value;
+  const here = tab.value;
+  useSignalEffect(() => {
+    if (selected.value.length > 0 && tab.peek() === "keys") tab.value = "form";
+  });
+  return (
+    <section class="panel details" aria-label="Details">
+      <header class="panel-head">
+        <Segments
+          name="What is shown"
+          choices={TABS}
+          chosen={here}
+          onChoose={(value) => {
+            tab.value = value;
+          }}
+        />
+      </header>
+      <div class="details-body" data-tab={here}>
+        {!name.value ? null : here === "form" ? (
+          <SelectedForm />
+        ) : here === "legs" ? (
+          <LegsTable />
+        ) : here === "text" ? (
+          <YamlEditor />
+        ) : (
+          <Keys />
+        )}
+      </div>
+    </section>
+  );
+}
+
+function Keys() {
+  return (
+    <dl class="keys">
+      {KEYS.map(([keys, what]) => (
+        <div key={keys}>
+          <dt class="code">{keys}</dt>
+          <dd>{what}</dd>
+        </div>
+      ))}
+    </dl>
+  );
+}

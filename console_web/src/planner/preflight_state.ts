@@ -1,0 +1,4 @@
+// Whether the sheet before the start is open.
+import { signal } from "@preact/signals";
+
+export const preflight = signal(false);

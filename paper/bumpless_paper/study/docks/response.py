@@ -1,0 +1,129 @@
+"""How TS-100 answers a step of depth or heading in F, starts, holds station for long, and bears a load.
+
+Plants are drawn by number. Every function flies one and says what the table of outcomes wants of it.
+"""
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from bumpless.config.mission import End, Mission, parse_mission
+from bumpless.config.parameters import default_parameters
+from bumpless.contract.enums import APPROACH, HOVER
+from bumpless.sim.twin import Twin, new_log, parameters_for, simulate
+from bumpless_paper.study.docks.cases import draw_case, vehicle
+from bumpless_paper.study.docks.judge import judge
+from bumpless_paper.study.docks.many import fly_case
+from bumpless_paper.study.plants import Plant, draw
+
+STRAIGHT = """
+version: 1
+name: straight
+vehicle: ts100
+duration_s: 400
+seed: 1
+start: {position_ned_m: [0, 0, 2.0], heading_deg: 0, speed_mps: 0.7}
+legs: [{to_ned_m: [200, 0, 2.0], speed_mps: 0.7}]
+target: {position_ned_m: [201.5, 0, 2.0], heading_deg: 0, standoff_m: 1.5}
+"""
+FAR_SIGHTED = "parameters: {guidance: {look_ahead_m: 150}}\n"  # so that heading is what is followed
+PERIOD_S, BEFORE, AFTER, LAST = 0.05, 600, 800, 100  # cycles
+DEPTH_M, TURN_DEG = 0.5, 20.0
+STAY_S = 600.0
+
+
+@dataclass(frozen=True)
+class Step:
+    """A step response: when it stays within 5 % for good, and how far it goes beyond."""
+
+    settled_s: float
+    overshoot: float  # share of the step
+
+
+def still_plant(number: int) -> Plant:
+    """The plant of this number in still water."""
+    return replace(draw(number), current_along=0.0, current_across=0.0, fault_time=None)
+
+
+def depth_step(number: int) -> Step:
+    """0.5 m down in F, at cruise."""
+    twin = _begun(STRAIGHT, number)
+    before = _rows(twin, BEFORE)["eta"][-LAST:, 2].mean()
+    twin.onboard["plan"]["waypoint"][:2, 2] += DEPTH_M
+    deep = twin.onboard["plan"]["target"][2] + DEPTH_M
+    twin.onboard["plan"]["target"][2] = twin.onboard["state"]["navigation"]["target"][2] = deep
+    return _step(_rows(twin, AFTER)["eta"][:, 2] - before)
+
+
+def heading_step(number: int) -> Step:
+    """20 deg to starboard in F, at cruise."""
+    twin = _begun(STRAIGHT + FAR_SIGHTED, number)
+    before = _rows(twin, BEFORE)["eta"][-LAST:, 5].mean()
+    plan, state = twin.onboard["plan"], twin.onboard["state"]
+    turn, here = np.radians(TURN_DEG), state["navigation"]["eta"][:2].copy()
+    ahead = np.array([np.cos(turn), np.sin(turn)])
+    plan["waypoint"][0, :2], plan["waypoint"][1, :2] = here, here + 200.0 * ahead
+    plan["target"][:2] = state["navigation"]["target"][:2] = here + 201.5 * ahead
+    plan["target"][3] = state["docking"]["heading"] = turn
+    return _step(_rows(twin, AFTER)["eta"][:, 5] - before)
+
+
+def start_dip(number: int) -> float:
+    """Largest loss of speed in the first 15 s, m/s."""
+    mission = replace(_mission(STRAIGHT), duration_s=15.0)
+    speed = simulate(mission, vehicle(), alter=still_plant(number)).log["nu"][:, 0]
+    return float(max(0.0, speed[0] - speed.min()))
+
+
+@dataclass(frozen=True)
+class Stay:
+    """Ten minutes after a docking, in the current that it was docked in."""
+
+    docked: bool  # else nothing else counts
+    held: bool  # in H at the observation point all the time
+    wander_deg: float  # RMS of the heading about its mean
+
+
+def stay(number: int) -> Stay:
+    """Dock into the current, then go on for ten minutes."""
+    case = draw_case(number, "normal", "into")
+    mission = replace(case.mission, end=End(), duration_s=case.mission.duration_s + STAY_S)
+    log = simulate(mission, vehicle(), default_parameters(vehicle()), mission.seed, alter=case).log
+    in_place = np.flatnonzero(log["held"] >= 10.0)
+    if not len(in_place):
+        return Stay(False, False, float("nan"))
+    then = log[in_place[0] : in_place[0] + round(STAY_S / PERIOD_S)]
+    held = bool(((then["mode"] == HOVER) & (then["stage"] == APPROACH)).all())
+    return Stay(True, held, float(np.degrees(np.std(np.unwrap(then["eta"][:, 5])))))
+
+
+def loaded(number: int, load_n: float) -> bool:
+    """Whether a vehicle so much too light (N) docks in still water; its screws push as the file says."""
+    case = draw_case(number, "still")
+    case = replace(case, plant=replace(case.plant, net_buoyancy=load_n, thrust=1.0))
+    return judge(case, fly_case(case)).outcome == "docked"
+
+
+def _mission(text: str) -> Mission:
+    return parse_mission(text, "straight.yaml", vehicle())
+
+
+def _begun(text: str, number: int) -> Twin:
+    twin, mission = Twin(vehicle()), _mission(text)
+    twin.start(mission, number, parameters_for(vehicle(), mission), still_plant(number))
+    return twin
+
+
+def _rows(twin: Twin, cycles: int) -> Any:
+    log = new_log(cycles)
+    return log[: twin.fly(log)]
+
+
+def _step(moved: np.ndarray) -> Step:
+    """From where it was and where it ends; a second's mean, for the hull also shakes with noise."""
+    n = round(1.0 / PERIOD_S)
+    padded = np.pad(moved, (n // 2, n - 1 - n // 2), "edge")
+    smooth = np.convolve(padded, np.ones(n) / n, "valid") / moved[-LAST:].mean()
+    out = np.flatnonzero(np.abs(smooth - 1.0) > 0.05)
+    return Step(PERIOD_S * (int(out[-1]) + 1) if len(out) else 0.0, float(max(0.0, smooth.max() - 1.0)))

@@ -1,0 +1,102 @@
+"""What a worker does with a task."""
+
+import time
+from collections.abc import Callable, Iterator
+from functools import lru_cache
+
+from bumpless.campaign.flight import Hangar
+from bumpless.campaign.ready import ready
+from bumpless.config.problems import Problem, ProblemsError
+from bumpless.config.vehicle import Vehicle, VehicleError, parse_vehicle
+from bumpless_server.foresight import fan
+from bumpless_server.foresight.findings import findings_of
+from bumpless_server.foresight.forecast import nominal
+from bumpless_server.foresight.plan import Plan, plan_of
+from bumpless_server.foresight.tasks import Task, Told
+from bumpless_server.foresight.told import ForesightFindings, ForesightProblem, ForesightProblems
+
+LONGEST_S = 3600.0  # of a mission: its log must fit into memory
+Answer = tuple[Told, str]  # kind and body
+
+
+class GivenUp(Exception):
+    """Something newer waits."""
+
+
+class TooLong(ValueError):
+    """The mission may last longer than foresight can hold."""
+
+
+class Work:
+    """One worker's tasks. `newer()` tells whether another line waits."""
+
+    def __init__(self, newer: Callable[[], bool]) -> None:
+        self._newer, self._hangar = newer, Hangar()
+        self._plan: tuple[str, Plan] | None = None
+
+    def answers(self, task: Task) -> Iterator[Answer]:
+        """The task's answers. Raises GivenUp between two flights when something newer waits."""
+        begun = time.perf_counter()
+        ready()
+        if task.kind == "warm" or task.request is None:
+            return
+        try:
+            plan = self._planned(task)
+        except ProblemsError as error:
+            if task.kind == "nominal":
+                yield "problems", _problems(task.request.id, error)
+            return
+        if task.kind == "findings":
+            found = ForesightFindings(id=task.request.id, findings=findings_of(plan.mission, plan.vehicle))
+            yield "findings", found.model_dump_json()
+            return
+        if plan.mission.duration_s > LONGEST_S:
+            raise TooLong(
+                f"the mission may last {plan.mission.duration_s:g} s; up to {LONGEST_S:g} s can be foreseen"
+            )
+        if task.kind == "nominal":
+            self._look()
+            told = nominal(plan, task.request.id)
+            told.elapsed_ms = round((time.perf_counter() - begun) * 1e3, 1)
+            yield "nominal", told.model_dump_json(by_alias=True)
+            return
+        yield "flights", self._flights(task, plan)
+
+    def _flights(self, task: Task, plan: Plan) -> str:
+        assert task.request is not None
+        flown = []
+        drawn = fan.prepared(plan)
+        for number in range(task.first, task.first + task.count):
+            self._look()
+            flown += [one.model_dump_json() for one in fan.fly(drawn, number, 1, self._hangar)]
+        return f"[{','.join(flown)}]"
+
+    def _look(self) -> None:
+        if self._newer():
+            raise GivenUp
+
+    def _planned(self, task: Task) -> Plan:
+        """The plan of a task; the same object for the same text, so that a fan keeps its twin."""
+        assert task.request is not None
+        key = task.request.model_dump_json(exclude={"id", "flights"}) + task.present
+        if self._plan is None or self._plan[0] != key:
+            self._plan = key, plan_of(task.request, _present(task.present))
+        return self._plan[1]
+
+
+@lru_cache(maxsize=4)
+def _present(toml: str) -> Vehicle | None:
+    try:
+        return parse_vehicle(toml, "vehicle.toml") if toml else None
+    except VehicleError:
+        return None
+
+
+def _problems(request_id: int, error: ProblemsError) -> str:
+    found = [_problem(one) for one in error.problems]
+    return ForesightProblems(id=request_id, problems=found).model_dump_json()
+
+
+def _problem(one: Problem) -> ForesightProblem:
+    told = one.as_dict()
+    return ForesightProblem(message=str(one), **{k: v for k, v in told.items() if k != "file"})

@@ -1,0 +1,28 @@
+"""How the application is served: uvicorn with limits on what a client may hold."""
+
+from collections.abc import Callable
+
+import uvicorn
+from fastapi import FastAPI
+
+from bumpless_server.web.connection import bounded_protocol
+
+GRACEFUL_S = 3  # a stalled browser must not hold up the end
+WS_MAX_BYTES = 256 * 1024  # of what a browser may say at once; what we say has no such bound
+WS_MAX_QUEUE = 8  # of its messages wait
+
+
+def server_config(
+    app: FastAPI, note: Callable[[str, str], None], graceful_s: int = GRACEFUL_S
+) -> uvicorn.Config:
+    """uvicorn's configuration for `app`; `note(kind, example)` hears of clients that broke a limit."""
+    return uvicorn.Config(
+        app,
+        http=bounded_protocol(note),
+        log_config=None,
+        access_log=False,
+        ws_per_message_deflate=False,  # made large messages eight times slower
+        ws_max_size=WS_MAX_BYTES,
+        ws_max_queue=WS_MAX_QUEUE,
+        timeout_graceful_shutdown=graceful_s,
+    )

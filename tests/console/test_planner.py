@@ -1,0 +1,223 @@
+"""The planner in a real browser: one document in three views, kept, judged and started as it is shown."""
+
+from collections.abc import Iterator
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from tests.console import planner
+from tests.console.conftest import show
+from tests.console.contract_server import ContractServer
+from tests.console.planner import stored
+
+TEXT = """version: 1
+name: harbour
+vehicle: ts100
+duration_s: 90  # enough
+start:
+  position_ned_m: [0, 0, 2.0]
+  heading_deg: 0
+legs:
+  - {to_ned_m: [10, 0, 2.0], speed_mps: 0.7}
+  - {to_ned_m: [24.5, 0, 2.3], speed_mps: 0.7}
+target:
+  position_ned_m: [26, 0, 2.3]
+  heading_deg: 0
+  standoff_m: 1.5
+"""
+
+
+@pytest.fixture
+def planned(console: Page, server: ContractServer) -> Iterator[Page]:
+    """The planner with one stored mission open."""
+    planner.default_replies(server)
+    server.foresee = lambda _: planner.forecast(198)
+    keep(server, TEXT)
+    console.goto(f"{server.url}#plan/harbour")
+    expect(console.get_by_label("How it is kept")).to_contain_text("Saved")
+    expect(console.get_by_label("State of the forecast")).to_have_text("up to date")
+    yield console
+
+
+def keep(server: ContractServer, text: str) -> None:
+    """Store a text as `harbour`."""
+    server.reply("GET", "missions", [stored("harbour", text)])
+    server.reply("GET", "missions/harbour", stored("harbour", text))
+
+
+def yaml(page: Page) -> str:
+    """The text in the editor."""
+    page.get_by_role("button", name="YAML").click()
+    expect(page.locator(".cm-line").first).to_be_visible()
+    return "\n".join(page.locator(".cm-line").all_inner_texts())
+
+
+def test_a_drag_changes_plan_form_and_text_at_once_and_is_undone_as_one(planned: Page) -> None:
+    """Protects the one document: what is dragged is typed, comments stay, and one undo takes it back."""
+    planner.drag(planned, (10, 0), (12, 3))
+    expect(planned.get_by_role("heading", name="Waypoint 1")).to_be_visible()
+    expect(planned.get_by_label("End of the leg east, legs[0].to_ned_m")).to_have_value("3")
+    text = yaml(planned)
+    assert "  - {to_ned_m: [12, 3, 2.0], speed_mps: 0.7}" in text and "# enough" in text
+    expect(planned.get_by_label("How it is kept")).to_contain_text("Not saved")
+    planned.get_by_role("button", name="Undo").click()
+    expect(planned.locator(".cm-content")).to_contain_text("[10, 0, 2.0]")
+    expect(planned.get_by_label("How it is kept")).to_contain_text("Saved")
+
+
+def test_what_is_typed_moves_the_drawing_and_a_wrong_number_is_refused(planned: Page) -> None:
+    """Protects exact entry with ranges: a number out of range never reaches the document."""
+    planner.click(planned, 26, 0)
+    heading = planned.get_by_label("Approach heading", exact=True)
+    heading.fill("45")
+    planned.get_by_role("button", name="Legs").click()
+    row = planned.get_by_role("table", name="Legs").get_by_role("row").nth(2)
+    expect(row).to_contain_text("356")  # the last leg leads to the observation point, which went along
+    planned.get_by_role("button", name="Details").click()
+    planned.get_by_label("Standoff").fill("999")
+    expect(planned.get_by_label("Standoff")).to_have_attribute("aria-invalid", "true")
+    assert "standoff_m: 1.5" in yaml(planned)
+
+
+def test_the_text_is_edited_and_the_views_follow(planned: Page) -> None:
+    """Protects the text as a view of its own: typed numbers move the plan, a broken text says where."""
+    assert "heading_deg: 0" in yaml(planned)
+    line = planned.locator(".cm-line", has_text="duration_s")
+    line.click()
+    planned.keyboard.press("End")
+    planned.keyboard.press("Enter")
+    planned.keyboard.type("seed: 7: 8")
+    expect(planned.get_by_label("Findings")).to_contain_text("can't be read")
+    planned.keyboard.press("ControlOrMeta+z")
+    expect(planned.get_by_label("Findings")).to_have_count(0)
+
+
+def test_the_plan_is_edited_by_keyboard_alone(planned: Page) -> None:
+    """Protects who works without a pointer: select, move, dive, turn, add, delete, undo."""
+    plan = planned.get_by_role("application", name="Plan from above")
+    plan.focus()
+    for key in ("n", "n", "ArrowRight", "ArrowUp", "PageDown"):
+        planned.keyboard.press(key)
+    expect(planned.get_by_label("End of the leg north, legs[0].to_ned_m")).to_have_value("10.5")
+    expect(planned.get_by_label("End of the leg east, legs[0].to_ned_m")).to_have_value("0.5")
+    expect(planned.get_by_label("End of the leg down, legs[0].to_ned_m")).to_have_value("2.1")
+    planned.keyboard.press("w")
+    expect(planned.get_by_role("heading", name="Waypoint 2")).to_be_visible()
+    planned.keyboard.press("Delete")
+    planned.keyboard.press("Escape")
+    for key in ("p", "p", "]"):  # the current is last, the dock before it
+        planned.keyboard.press(key)
+    expect(planned.get_by_label("Approach heading", exact=True)).to_have_value("5")
+    for _ in range(8):
+        planned.keyboard.press("ControlOrMeta+z")
+    expect(planned.get_by_label("How it is kept")).to_contain_text("Saved")
+
+
+def test_a_draft_outlives_a_reload(planned: Page) -> None:
+    """Protects unsaved work, and the choice in the address."""
+    planner.drag(planned, (10, 0), (12, 3))
+    planned.reload()
+    expect(planned.get_by_label("How it is kept")).to_contain_text("Not saved")
+    assert "[12, 3, 2.0]" in yaml(planned)
+
+
+def test_saving_sends_the_bytes_and_says_when_somebody_else_was_faster(
+    planned: Page, server: ContractServer
+) -> None:
+    """Protects from a lost update: the file that was edited is named, another one stays unless asked for."""
+    planner.drag(planned, (10, 0), (12, 3))
+    server.reply("PUT", "missions/harbour", stored("harbour", TEXT.replace("[10, 0, 2.0]", "[12, 3, 2.0]")))
+    theirs = TEXT.replace("duration_s: 90", "duration_s: 95")
+    hashed = stored("harbour", TEXT)["sha256"]
+    planned.keyboard.press("ControlOrMeta+s")
+    call = server.wait_for_call("PUT", "missions/harbour")
+    assert (call.query, call.body) == (f"base={hashed}", TEXT.replace("[10, 0, 2.0]", "[12, 3, 2.0]"))
+    keep(server, theirs)
+    planner.drag(planned, (12, 3), (12, 0))
+    planned.get_by_role("navigation").get_by_role("link", name="Missions").click()
+    show(planned, "Plan")
+    expect(planned.get_by_role("alert")).to_contain_text("changed since you began")
+
+
+def test_a_hopeless_plan_says_why_and_is_mended_by_one_button(planned: Page, server: ContractServer) -> None:
+    """Protects the mend: what hangs on the dock goes along, and the start is blocked until then."""
+    server.foresee = lambda asked: (
+        planner.forecast(198)
+        if "heading_deg: 90" in asked["text"].split("target:")[1]
+        else planner.forecast(0, findings=[planner.hopeless(90)])
+    )
+    planner.drag(planned, (10, 0), (10, 0.5))
+    findings = planned.get_by_label("Findings")
+    expect(findings).to_contain_text("can't hold station")
+    planned.get_by_role("button", name="Start …").first.click()
+    sheet = planned.get_by_role("dialog", name="Before the start")
+    expect(sheet).to_contain_text("It can't work as it is")
+    expect(sheet.get_by_role("button", name="Hold to save and start")).to_be_disabled()
+    sheet.get_by_role("button", name="Close").click()
+    findings.get_by_role("button", name="Approach with 90°").click()
+    expect(planned.get_by_label("Chance")).to_contain_text("Docks in 198 of 200")
+    assert "[26, -1.5, 2.3]" in yaml(planned)
+
+
+def test_start_wants_to_be_held_and_flies_the_very_text_that_is_shown(
+    planned: Page, server: ContractServer
+) -> None:
+    """Protects the start: saved first, by the hash of what is shown, and no chooser beside it for another."""
+    server.reply("POST", "mission/start", {"accepted": True, "reason": ""})
+    expect(planned.get_by_label("Mission control").get_by_role("combobox")).to_have_count(0)
+    planner.drag(planned, (10, 0), (12, 3))
+    made = TEXT.replace("[10, 0, 2.0]", "[12, 3, 2.0]")
+    server.reply("PUT", "missions/harbour", stored("harbour", made))
+    expect(planned.get_by_label("State of the forecast")).to_have_text("up to date")
+    planned.get_by_role("button", name="Start …").first.click()
+    sheet = planned.get_by_role("dialog", name="Before the start")
+    expect(sheet).to_contain_text("docks in 198 of 200")
+    hold = sheet.get_by_role("button", name="Hold to save and start")
+    hold.click()
+    assert server.calls_of("POST", "mission/start") == []
+    server.reply("GET", "missions", [stored("harbour", made)])
+    hold.hover()
+    planned.mouse.down()
+    call = server.wait_for_call("POST", "mission/start")
+    planned.mouse.up()
+    assert call.json() == {"name": "harbour", "sha256": stored("harbour", made)["sha256"]}
+    expect(planned.get_by_role("main", name="Live")).to_be_visible()
+
+
+def test_a_worst_flight_is_one_click_away(planned: Page) -> None:
+    """Protects the way from a chance to the flight that spoils it, by its seed."""
+    worst = planned.get_by_role("button", name="waved off").first
+    expect(worst).to_contain_text("seed 1199")
+    worst.click()
+    expect(worst).to_have_attribute("aria-pressed", "true")
+
+
+def test_a_deleted_mission_comes_back(planned: Page, server: ContractServer) -> None:
+    """Protects from a slip: delete is undone from the server's bin."""
+    binned = {"id": "b1", "name": "harbour", "deleted": "2026-01-01T00:00:00Z", "size": 9}
+    server.reply("DELETE", "missions/harbour", binned)
+    server.reply("POST", "mission-bin/b1/restore", stored("harbour", TEXT))
+    planned.get_by_role("button", name="More").click()
+    planned.get_by_role("button", name="Delete", exact=True).click()
+    planned.get_by_role("status").filter(has_text="harbour deleted.").get_by_role(
+        "button", name="Undo"
+    ).click()
+    server.wait_for_call("POST", "mission-bin/b1/restore")
+    expect(planned.get_by_label("How it is kept")).to_contain_text("Saved")
+
+
+def test_the_planner_loads_when_it_is_opened_and_not_before(page: Page, server: ContractServer) -> None:
+    """Protects the first load; the planner's code is at most 250 kB gzipped."""
+    planner.default_replies(server)
+    asked: list[str] = []
+    page.on("request", lambda request: asked.append(request.url))
+    page.goto(server.url)
+    expect(page.locator("figure.plot").first).to_be_visible()
+    before = set(asked)
+    assert not any("planner" in url for url in before)
+    show(page, "Plan")
+    expect(page.get_by_role("button", name="New mission")).to_be_visible()
+    loaded = [url.rsplit("/", 1)[1] for url in asked if url not in before and "/assets/" in url]
+    files = [server.console / "assets" / name for name in loaded]
+    sizes = [min(p.stat().st_size for p in (f, f.with_name(f"{f.name}.gz")) if p.is_file()) for f in files]
+    assert loaded and sum(sizes) <= 250_000

@@ -1,0 +1,112 @@
+"""The dock as a body: legs that lead through it, and room for the nose before its face."""
+
+import math
+from collections.abc import Iterator
+from itertools import pairwise
+
+import numpy as np
+
+from bumpless.config.mission import Mission
+from bumpless.config.mission.model import Target
+from bumpless.config.parameters import Parameters
+from bumpless.config.vehicle import Vehicle
+from bumpless.feasibility.finding import HARD, SOFT, Finding, Mend
+from bumpless.metrics.dock import ends_of
+from bumpless.sim.approach import turn_limit_deg
+
+_STEP_M = 0.1
+_ROOM_M = 0.3  # least way from the nose in place to the dock's face: an overshoot is stopped within it
+_HULL_M = 0.5  # half width of hull and struts, with a little
+
+
+def check_dock(mission: Mission, vehicle: Vehicle, parameters: Parameters) -> Iterator[Finding]:
+    """Legs against the dock, and the place before it."""
+    target = mission.target
+    if inside(target, mission.start.position_ned_m, _HULL_M):
+        text = "The vehicle starts in the dock."
+        yield Finding(HARD, "starts_in_dock", "start.position_ned_m", text)
+    if parameters.docking.enabled:
+        yield from _near_legs(mission, parameters)
+        yield from _place(target, vehicle)
+    else:
+        yield from _through(mission)
+
+
+def inside(target: Target, place: tuple[float, float, float], margin: float) -> bool:
+    """Whether a place (NED, m) is in the dock's box, or within a margin (m) of it."""
+    heading, half = math.radians(target.heading_deg), 0.5 * target.dock_width_m + margin
+    north, east, down = (a - b for a, b in zip(place, target.position_ned_m, strict=True))
+    along = north * math.cos(heading) + east * math.sin(heading)
+    across = -north * math.sin(heading) + east * math.cos(heading)
+    return -margin < along < target.dock_length_m + margin and max(abs(across), abs(down)) < half
+
+
+def nearest(mission: Mission, leg: int, depth_m: float) -> float:
+    """Least horizontal way from a leg to the target, m, where it is within depth_m of its depth; else inf."""
+    start, end = (np.array(x) for x in mission.path_ned_m[leg : leg + 2])
+    steps = np.linspace(0.0, 1.0, max(2, int(math.dist(start, end) / _STEP_M)))
+    off = start + steps[:, None] * (end - start) - np.array(mission.target.position_ned_m)
+    far = np.where(np.abs(off[:, 2]) <= depth_m, np.hypot(off[:, 0], off[:, 1]), np.inf)
+    return float(far.min())
+
+
+def _near_legs(mission: Mission, parameters: Parameters) -> Iterator[Finding]:
+    """Legs before the last that the docking automaton flies round the dock."""
+    target, margin = mission.target, parameters.docking.keep_out_m
+    keep, depth = margin + target.dock_radius_m, margin + 0.5 * target.dock_width_m
+    for i in range(len(mission.legs) - 1):
+        near = nearest(mission, i, depth)
+        if near >= keep:
+            continue
+        text = f"It passes {near:.1f} m from the target; the vehicle flies round the dock, {keep:.1f} m off."
+        field = f"legs[{i}].to_ned_m"
+        place = _moved_out(mission.legs[i].to_ned_m, target, keep + 0.1)
+        mends = (Mend(field, place, f"End the leg {keep:.0f} m off the dock"),) if place else ()
+        what = f"End it {keep:.0f} m off." if place else "Lead it round the dock."
+        yield Finding(SOFT, "leg_near_dock", field, text, what, mends)
+
+
+def _moved_out(
+    place: tuple[float, float, float], target: Target, keep: float
+) -> tuple[float, float, float] | None:
+    """The place moved straight away from the target to `keep` m; None where it is as far already."""
+    north, east = place[0] - target.position_ned_m[0], place[1] - target.position_ned_m[1]
+    far = math.hypot(north, east)
+    if far >= keep or far < 1e-6:
+        return None
+    return (
+        round(target.position_ned_m[0] + keep / far * north, 2),
+        round(target.position_ned_m[1] + keep / far * east, 2),
+        place[2],
+    )
+
+
+def _place(target: Target, vehicle: Vehicle) -> Iterator[Finding]:
+    """Is there room for the nose where the vehicle is to hover, on every heading it may take?"""
+    nose = ends_of(vehicle)[0]
+    before, limit = target.standoff_m - nose, turn_limit_deg(target, vehicle)
+    if before < _ROOM_M:
+        least = math.ceil(10.0 * (nose + _ROOM_M)) / 10.0
+        text = (
+            f"{vehicle.id}'s nose would stand {before:.2f} m before the dock's face; it needs {_ROOM_M:g} m."
+        )
+        mend = Mend("target.standoff_m", least, f"Stand off {least:g} m")
+        yield Finding(HARD, "standoff_too_short", "target.standoff_m", text, f"Make it {least:g} m.", (mend,))
+    elif not target.turns and target.turn_deg > limit:
+        text = (
+            f"The approach turns by {limit:.0f}° at most: farther off the dock's axis the nose would come "
+            "too near to its face."
+        )
+        field, most = "target.heading_tolerance_deg", float(math.floor(limit))
+        mend = Mend(field, most, f"Let the approach turn by {most:g}°")
+        yield Finding(SOFT, "tolerance_too_wide", field, text, f"{most:g}° says the same.", (mend,))
+
+
+def _through(mission: Mission) -> Iterator[Finding]:
+    """Legs through the dock, where nothing leads the vehicle round it."""
+    for i, (start, end) in enumerate(pairwise(mission.path_ned_m)):
+        a, b = np.array(start), np.array(end)
+        steps = np.linspace(0.0, 1.0, max(2, int(math.dist(start, end) / _STEP_M)))
+        if any(inside(mission.target, tuple(a + s * (b - a)), _HULL_M) for s in steps):
+            text = "It leads through the dock."
+            yield Finding(HARD, "leg_through_dock", f"legs[{i}].to_ned_m", text, "Lead it round.")

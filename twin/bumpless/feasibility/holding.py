@@ -1,0 +1,74 @@
+"""Can station be held before the target in the mission's current, and on which headings could it?"""
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+
+from bumpless.config.mission import Mission
+from bumpless.config.mission.model import Target
+from bumpless.config.parameters import Parameters
+from bumpless.config.vehicle import Vehicle
+from bumpless.feasibility.finding import HARD, SOFT, Finding, Mend
+from bumpless.feasibility.station import ACCEPT, REFUSE, Station, station_keeping
+from bumpless.sim.approach import turn_limit_deg
+
+_FIELD = "target.heading_deg"
+_SIDES = (
+    "north", "north-east", "east", "south-east", "south", "south-west", "west", "north-west",
+)  # fmt: skip
+
+
+def check_station(mission: Mission, vehicle: Vehicle, parameters: Parameters) -> Iterator[Finding]:
+    """Can station be held before the target in the mission's current?"""
+    if parameters.guidance.speed_min_mps > 0.0:
+        return  # it passes through the observation point, which is its docking
+    current, target = mission.environment.current_ned_mps, mission.target
+    station = station_keeping(vehicle, parameters, current, target)
+    held = station.chosen
+    if held.zone == ACCEPT:
+        return
+    at = f"heading {station.chosen_deg % 360.0:03.0f}° in {_flow(current)}"
+    change, mends = what_would(station, target, vehicle, parameters.docking.enabled)
+    if held.zone == REFUSE:
+        text = f"{vehicle.id} can't hold {at}: {held.reason}."
+        yield Finding(HARD, "current_not_holdable", _FIELD, text, change, mends)
+    else:
+        text = f"{vehicle.id} may not hold {at}: {held.reason}."
+        yield Finding(SOFT, "current_hard_to_hold", _FIELD, text, change, mends)
+
+
+def _flow(current: tuple[float, float, float]) -> str:
+    """A current in words, by where it comes from: "0.10 m/s from the west (270°)"."""
+    north, east, _ = current
+    from_deg = math.degrees(math.atan2(-east, -north)) % 360.0
+    side = _SIDES[round(from_deg / 45.0) % 8]
+    return f"{math.hypot(north, east):.2f} m/s from the {side} ({from_deg:03.0f}°)"
+
+
+def what_would(
+    station: Station, target: Target, vehicle: Vehicle, chooses: bool
+) -> tuple[str, tuple[Mend, ...]]:
+    """The headings that hold, in words and as changes. chooses: the autopilot may turn the approach."""
+    nearest, given = station.nearest_deg, target.heading_deg
+    if nearest is None:
+        return "No heading surely holds in it: dock in less current.", ()
+    mends = [Mend(_FIELD, nearest, f"Approach with {nearest:03.0f}°")]
+    if chooses:
+        mends.insert(0, Mend("target.approach", "into_current", "Approach into the current"))
+        off = math.ceil(abs((nearest - given + 180.0) % 360.0 - 180.0))
+        if off <= turn_limit_deg(target, vehicle):
+            field = "target.heading_tolerance_deg"
+            mends.append(Mend(field, float(off), f"Let the approach turn by {off}°"))
+    return f"Can be held: {spans(station.heading_deg, station.zone == ACCEPT)}.", tuple(mends)
+
+
+def spans(headings: np.ndarray, good: np.ndarray) -> str:
+    """Arcs of headings, deg, in words: "070° to 110°, 300° to 010°"; good: one flag a heading, a circle."""
+    if good.all():
+        return "any heading"
+    first = int(np.argmin(good))  # begin where it is not good, so that no arc is cut
+    turned, flags = np.roll(headings, -first), np.roll(good, -first).astype(int)
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], flags, [0]])))
+    arcs = [(turned[a], turned[b - 1]) for a, b in zip(edges[::2], edges[1::2], strict=True)]
+    return ", ".join(f"{a:03.0f}°" if a == b else f"{a:03.0f}° to {b:03.0f}°" for a, b in arcs)

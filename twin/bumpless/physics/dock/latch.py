@@ -1,0 +1,75 @@
+"""A dock as the plant meets it: contact, its motion, and the latch that closes behind a nose deep enough.
+
+The latch is a one-way stop: it lets the nose go deeper and pulls it back, along the axis, once it comes out
+beyond the capture depth. The same spring and damping as of a contact, F = k g (1 + c g').
+"""
+
+from math import cos, sin
+
+from bumpless.jit import inline, jit
+from bumpless.jit.memory import floats
+from bumpless.physics.dock.contact import N_WORK, dock_contact, dock_place
+from bumpless.physics.frames import body_to_ned, ned_to_body
+
+
+@jit
+def feel_dock(dock, rings, eta, nu, time, tau):
+    """Add to tau (6,) what the dock does to a hull at eta, nu (6,); fills dock.felt.
+
+    rings: HULL_RINGS, the nose first.
+    """
+    work, felt = floats(N_WORK), dock.felt
+    dock_contact(dock, rings, eta, nu, time, felt, work)
+    if dock.captured == 1:
+        pull_latch(dock, rings, eta, nu, time, felt)
+    felt.peak = max(felt.peak, felt.force)
+    for k in range(6):
+        tau[k] += felt.wrench[k]
+
+
+@jit
+def pull_latch(dock, rings, eta, nu, time, felt):
+    """Add the latch's pull to felt.wrench, and the energy it stores."""
+    gap = dock.capture_depth - felt.nose_depth
+    if gap <= 0.0:
+        return
+    axis, v, middle, moving = floats(3), floats(3), floats(3), floats(3)
+    x = rings.x[0]
+    v[0], v[1], v[2] = nu[0], nu[1] + nu[5] * x, nu[2] - nu[4] * x
+    body_to_ned(eta[3], eta[4], eta[5], v, v)
+    dock_place(dock, time, middle, moving)
+    dock_axis(dock, axis)
+    opening = 0.0
+    for k in range(3):
+        opening -= (v[k] - moving[k]) * axis[k]
+    pull = dock.stiffness * gap * max(0.0, 1.0 + dock.damping * opening)
+    ned_to_body(eta[3], eta[4], eta[5], axis, axis)
+    for k in range(3):
+        felt.wrench[k] += pull * axis[k]
+    felt.wrench[4] -= x * pull * axis[2]
+    felt.wrench[5] += x * pull * axis[1]
+    felt.energy += 0.5 * dock.stiffness * gap * gap
+
+
+@inline
+def dock_axis(dock, axis):
+    """Fill axis (3,): unit vector into the dock, NED."""
+    axis[0], axis[1] = cos(dock.heading) * cos(dock.pitch), sin(dock.heading) * cos(dock.pitch)
+    axis[2] = -sin(dock.pitch)
+
+
+@jit
+def close_latch(dock):
+    """Capture a nose that is deep enough and in the tube; once closed it stays closed."""
+    felt = dock.felt
+    if felt.nose_depth >= dock.capture_depth and felt.nose_offset <= dock.tube_radius:
+        dock.captured = 1
+
+
+@jit
+def move_marker(dock, time, target):
+    """Put the marker, target (3,) NED, m, where the moving dock has it at `time`, s."""
+    velocity = floats(3)
+    dock_place(dock, time, target, velocity)
+    for k in range(3):
+        target[k] += dock.marker[k]
