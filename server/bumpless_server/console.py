@@ -45,6 +45,7 @@ from bumpless_server.runs.catalogue import Catalogue
 from bumpless_server.runs.disk_budget import DiskBudget
 from bumpless_server.runs.recorder import Recorder
 from bumpless_server.runs.replays import Replays
+from bumpless_server.runs.shelf import Shelf
 from bumpless_server.settings import Settings
 from bumpless_server.vehicle_process.node_command import node_command
 from bumpless_server.vehicle_process.supervise import Supervisor
@@ -73,6 +74,7 @@ class Console:
         self.foresight = Foresight(self._present)  # on the web's loop, which ends it
         self.catalogue = Catalogue(self.data.runs, self.data.index)
         self.replays = Replays()
+        self.shelf = Shelf(self.data.words, self.data.run_bin)
         self.recorder = Recorder(
             self.data.runs,
             self.say,
@@ -142,6 +144,7 @@ class Console:
             self.data.open()
             stack.callback(self.data.close)
             self.audit.open()
+            self.shelf.open()
             self.catalogue.open()
             stack.callback(self.catalogue.close)
             stack.callback(self.replays.close)
