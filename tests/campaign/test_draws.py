@@ -147,6 +147,10 @@ def test_every_quantity_changes_a_flight(campaign: Callable[..., Prepared], ts10
         values = {name: value}
         if name.startswith(("current_speed", "current_relative")):
             values = {"current_speed_mps": 0.1, "current_relative_deg": 10.0} | values
+        if name.startswith("dvl_outage"):
+            values = {"dvl_outage_at_s": 1.0, "dvl_outage_length_s": 2.0} | values
+        if name.startswith(("dock_period", "dock_phase")):
+            values = {"dock_heave_m": 0.1} | values
         if name.startswith("outage"):
             values = {"outage_at_s": 1.0, "outage_length_s": 2.0} | values
         if name.startswith("ballast"):

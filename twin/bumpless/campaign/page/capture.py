@@ -34,6 +34,7 @@ def picture_of(found: CaptureMap) -> str:
     """The map as an SVG element: largest force where the hull is captured, grey where it is not."""
     force = np.ma.masked_where(~found.captured, found.force_max_n)
     figure, (axes,) = figure_of(5.4, 3.4)
+    figure.subplots_adjust(left=0.12, right=0.98, bottom=0.15)  # axes with labels
     axes.set_facecolor(LIGHT)
     mesh = axes.pcolormesh(
         found.angle_deg, found.offset_m, force, cmap="viridis", shading="nearest", vmin=0.0
