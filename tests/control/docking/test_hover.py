@@ -1,22 +1,11 @@
 """Holding station: in gusts, on a heading that follows the hull, stern to a weak current, with quiet fins."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 
-from bumpless.config.mission.model import End
-from bumpless.contract.enums import APPROACH, HOVER, REVERSE
-from bumpless_paper.study.docks import Case, draw_case, fly_case, judge
-
-
-def against(number: int, current_mps: float) -> Case:
-    """A drawn case, free to turn, in a current against its approach with the drawn gusts, and 900 s."""
-    case = draw_case(number, "normal", "into")
-    psi = np.radians(case.mission.target.heading_deg)
-    flow = (-current_mps * float(np.cos(psi)), -current_mps * float(np.sin(psi)), 0.0)
-    sea = replace(case.mission.environment, current_ned_mps=flow)
-    return replace(case, mission=replace(case.mission, environment=sea, duration_s=900.0, end=End()))
+from bumpless.contract.enums import APPROACH, REVERSE
+from bumpless_paper.study.docks import draw_case, fly_case, judge
+from bumpless_paper.study.docks.hover import against, hover
 
 
 @pytest.mark.parametrize("current_mps", [0.08, 0.12])
@@ -24,13 +13,8 @@ def against(number: int, current_mps: float) -> Case:
 def test_ten_minutes_in_gusts(number, current_mps) -> None:
     """Protects: with its heading free a drawn vehicle holds ten minutes in gusts, without a wave-off, and its
     bow wanders less than 1 deg RMS about the heading that it follows."""
-    log = fly_case(against(number, current_mps)).log
-    hovers = (log["mode"] == HOVER) & (log["stage"] == APPROACH)
-    first = int(np.argmax(hovers)) + 200
-    held = log[first : first + 12_000]
-    assert hovers[first : first + 12_000].all() and len(held) == 12_000
-    off = np.degrees(np.angle(np.exp(1j * (held["eta"][:, 5] - held["approach"]))))
-    assert np.std(off) < 1.0
+    seen = hover(against(number, current_mps))
+    assert seen.held and seen.share == 1.0 and seen.wander_deg < 1.0
 
 
 @pytest.mark.parametrize("number", [2253, 2278])
