@@ -29,6 +29,7 @@ from bumpless_server.live.clock import VehicleClock
 from bumpless_server.live.desk import Busy, Command, Desk
 from bumpless_server.live.dispatch import Dispatcher
 from bumpless_server.live.freshness import freshness
+from bumpless_server.live.heart import Heart
 from bumpless_server.live.intake import Intake
 from bumpless_server.live.open_bus import bus_notice
 from bumpless_server.live.sample import EVENT, Sample
@@ -44,6 +45,7 @@ from bumpless_server.runs.catalogue import Catalogue
 from bumpless_server.runs.disk_budget import DiskBudget
 from bumpless_server.runs.recorder import Recorder
 from bumpless_server.runs.replays import Replays
+from bumpless_server.runs.shelf import Shelf
 from bumpless_server.settings import Settings
 from bumpless_server.vehicle_process.node_command import node_command
 from bumpless_server.vehicle_process.supervise import Supervisor
@@ -72,6 +74,7 @@ class Console:
         self.foresight = Foresight(self._present)  # on the web's loop, which ends it
         self.catalogue = Catalogue(self.data.runs, self.data.index)
         self.replays = Replays()
+        self.shelf = Shelf(self.data.words, self.data.run_bin)
         self.recorder = Recorder(
             self.data.runs,
             self.say,
@@ -141,6 +144,7 @@ class Console:
             self.data.open()
             stack.callback(self.data.close)
             self.audit.open()
+            self.shelf.open()
             self.catalogue.open()
             stack.callback(self.catalogue.close)
             stack.callback(self.replays.close)
@@ -155,6 +159,9 @@ class Console:
             stack.callback(self.alarms.stop)
             stack.callback(self.bus.close)
             self.bus.open()
+            heart = Heart(self.bus.beat)
+            heart.start()
+            stack.callback(heart.stop)
             indexing = threading.Thread(target=self._index, name="catalogue", daemon=True)
             indexing.start()
             stack.callback(indexing.join)
