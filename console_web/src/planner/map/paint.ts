@@ -17,6 +17,8 @@ export interface Scene {
   nominal: Nominal | undefined;
   flights: readonly Flight[];
   picked: Flight | undefined;
+  /** The way of the what-if variant. */
+  variant: Nominal | undefined;
   /** The forecast is of an older text. */
   stale: boolean;
   vehicle: { north: number; east: number; heading: number } | undefined;
@@ -39,6 +41,11 @@ export function paintPlan(c: Ctx, s: Scene): void {
   paintFan(c, s);
   paintWay(c, s);
   paintTrack(c, s);
+  if (s.variant) {
+    c.setLineDash([9, 4]);
+    paintLine(c, s, s.variant.track.north_m, s.variant.track.east_m, colour("--reference"), 2);
+    c.setLineDash([]);
+  }
   if (s.picked) paintLine(c, s, s.picked.north_m, s.picked.east_m, colour("--alarm"), 2);
   if (s.view.dock) paintDock(c, s, s.view.dock);
   paintStart(c, s);
@@ -502,7 +509,7 @@ function paintDial(c: Ctx, s: Scene): void {
   c.fillStyle = colour("--panel");
   c.globalAlpha = 0.85;
   c.beginPath();
-  c.arc(x, y, radius + 12, 0, TAU);
+  c.arc(x, y, radius + 14, 0, TAU);
   c.fill();
   c.globalAlpha = 1;
   c.strokeStyle = colour(on ? "--accent" : "--line-2");
@@ -526,9 +533,9 @@ function paintDial(c: Ctx, s: Scene): void {
   c.fillStyle = colour("--ink");
   c.font = font("--text-2xs", 600);
   c.textAlign = "center";
-  c.fillText(speed > 1e-6 ? `current ${speed.toFixed(2)} m/s` : "no current", x, y + radius + 24);
+  c.fillText(speed > 1e-6 ? `current ${speed.toFixed(2)} m/s` : "no current", x, y + radius + 26);
   c.fillStyle = colour("--ink-2");
-  c.fillText(`${scale} m/s`, x, y + radius - 4);
+  c.fillText(`${scale} m/s`, x, y + radius + 10);
 }
 
 function paintScale(c: Ctx, s: Scene): void {

@@ -6,7 +6,7 @@ import { missions } from "../../api/resources";
 import { address, go } from "../../shell/address";
 import { live } from "../../stream/store";
 import { put, restructured } from "./document";
-import { Drafts } from "./drafts";
+import { type Draft, Drafts } from "./drafts";
 import { hashOf } from "./hash";
 import { dragging, open, text } from "./plan";
 import { blank, freeName, titleOf } from "./templates";
@@ -55,10 +55,17 @@ function take(to: string, fresh: string, from: string, own: boolean): void {
   if (address.peek().view === "plan") go("plan", to);
 }
 
-/** Open a mission: its draft in this browser where there is one, else the stored file. */
+/** What another browser, or this one before it was cleared, left on the server. */
+async function draftOfServer(wanted: string): Promise<Draft | undefined> {
+  const answer = await ask("get", "/api/drafts");
+  const found = answer.ok ? answer.value.find((draft) => draft.name === wanted) : undefined;
+  return found && { text: found.yaml, base: "", changed: Date.parse(found.saved) };
+}
+
+/** Open a mission: its draft in this browser where there is one, else the server's, else the stored file. */
 export async function openMission(wanted: string): Promise<void> {
   flush();
-  const draft = drafts.get(wanted);
+  const draft = drafts.get(wanted) ?? (await draftOfServer(wanted));
   const answer = await ask("get", "/api/missions/{name}", { path: { name: wanted } });
   if (untracked(named) !== wanted) return; // another was asked for since
   if (answer.ok) {
@@ -148,6 +155,7 @@ export async function revert(): Promise<void> {
   cancelFlush();
   drafts.drop(to);
   draftNames.value = drafts.names();
+  await ask("delete", "/api/missions/{name}/draft", { path: { name: to } });
   await openMission(to);
   done.value = {
     text: "Changes discarded.",
@@ -196,7 +204,7 @@ export async function remove(): Promise<void> {
       return;
     }
     bin = answer.value.id;
-  }
+  } else await ask("delete", "/api/missions/{name}/draft", { path: { name: gone } });
   drafts.drop(gone);
   draftNames.value = drafts.names();
   name.value = "";
@@ -262,7 +270,10 @@ function keep(): void {
   const to = name.peek();
   if (!to) return;
   if (badge.peek() === "saved" || badge.peek() === "held" || badge.peek() === "other") drafts.drop(to);
-  else unkept.value = !drafts.put(to, { text: text.peek(), base: base.peek(), changed: Date.now() });
+  else {
+    unkept.value = !drafts.put(to, { text: text.peek(), base: base.peek(), changed: Date.now() });
+    void ask("put", "/api/missions/{name}/draft", { path: { name: to }, body: new Blob([text.peek()]) });
+  }
   draftNames.value = drafts.names();
 }
 
