@@ -104,22 +104,34 @@ function paintGrid(c: Ctx, s: Scene): void {
   }
 }
 
-function ring(c: Ctx, s: Scene, at: Ned, metres: number, stroke: string, dash: number[], label = ""): void {
+interface Ring {
+  at: Ned;
+  metres: number;
+  ink: string;
+  dash: number[];
+  label: string;
+  /** Heading from the middle at which the label stands. */
+  towards: number;
+}
+
+function ring(c: Ctx, s: Scene, { at, metres, ink, dash, label, towards }: Ring): void {
   const [x, y] = px(s, at);
   const radius = metres * s.viewport.sx;
   if (radius < 3) return;
-  c.strokeStyle = stroke;
+  c.strokeStyle = colour(ink);
   c.lineWidth = 1;
   c.setLineDash(dash);
   c.beginPath();
   c.arc(x, y, radius, 0, TAU);
   c.stroke();
   c.setLineDash([]);
-  if (!label || radius < 34) return;
+  if (radius < 34) return;
+  const way = angle(s, towards);
+  const [lx, ly] = [x + (radius + 5) * Math.cos(way), y + (radius + 5) * Math.sin(way)];
   c.font = font("--text-2xs");
-  c.fillStyle = stroke;
-  c.textAlign = "center";
-  c.fillText(label, x, y - radius - 3);
+  c.fillStyle = colour(ink);
+  c.textAlign = Math.cos(way) < 0 ? "right" : "left";
+  c.fillText(label, lx, ly + 3);
 }
 
 /** Angle on the canvas of a heading. */
@@ -160,11 +172,19 @@ function paintDockZones(c: Ctx, s: Scene, wanted: NonNullable<MissionView["dock"
         "--accent",
       );
     if (f.docks) {
-      ring(c, s, dock.at, f.keepOut, colour("--alarm"), [6, 5], `keep out ${f.keepOut} m`);
+      const label = `keep out ${f.keepOut} m`;
+      const towards = dock.heading + 60;
+      ring(c, s, { at: dock.at, metres: f.keepOut, ink: "--alarm", dash: [6, 5], label, towards });
       paintCone(c, s, dock, end, f);
     }
-    ring(c, s, end, f.thresholds.rh, colour("--mode-hover"), [3, 4], `hover ${f.thresholds.rh} m`);
-    ring(c, s, end, f.thresholds.fr, colour("--mode-reverse"), [3, 4], `reverse ${f.thresholds.fr} m`);
+    const rings = [
+      { metres: f.thresholds.rh, ink: "--mode-hover", word: "hover" },
+      { metres: f.thresholds.fr, ink: "--mode-reverse", word: "reverse" },
+    ];
+    for (const { metres, ink, word } of rings) {
+      const label = `${word} ${metres} m`;
+      ring(c, s, { at: end, metres, ink, dash: [3, 4], label, towards: dock.heading - 60 });
+    }
   }
   if (dock.tolerance > 0 && dock.tolerance < 180 && !dock.intoCurrent) {
     const t = (dock.tolerance * Math.PI) / 180;
