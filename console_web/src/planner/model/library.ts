@@ -3,6 +3,7 @@ import { computed, effect, signal, untracked } from "@preact/signals";
 import { ask } from "../../api/client";
 import type { Refusal } from "../../api/http";
 import { missions } from "../../api/resources";
+import { dateTime } from "../../lib/format";
 import { address, go } from "../../shell/address";
 import { live } from "../../stream/store";
 import { put, restructured } from "./document";
@@ -65,13 +66,18 @@ async function draftOfServer(wanted: string): Promise<Draft | undefined> {
 /** Open a mission: its draft in this browser where there is one, else the server's, else the stored file. */
 export async function openMission(wanted: string): Promise<void> {
   flush();
-  const draft = drafts.get(wanted) ?? (await draftOfServer(wanted));
+  const own = drafts.get(wanted);
+  const draft = own ?? (await draftOfServer(wanted));
   const answer = await ask("get", "/api/missions/{name}", { path: { name: wanted } });
   if (untracked(named) !== wanted) return; // another was asked for since
   if (answer.ok) {
-    const { yaml, sha256, builtin: own } = answer.value;
+    const { yaml, sha256, builtin: shipped } = answer.value;
     const hash = sha256 || hashOf(yaml);
-    take(wanted, draft?.text ?? yaml, draft?.base || hash, own === true);
+    take(wanted, draft?.text ?? yaml, draft?.base || hash, shipped === true);
+    if (draft && !own && draft.text !== yaml)
+      done.value = {
+        text: `This is the draft that the server kept at ${dateTime(draft.changed / 1000)}, not the stored file.`,
+      };
   } else if (draft) take(wanted, draft.text, "", false);
   else {
     trouble.value = answer;
