@@ -193,7 +193,7 @@ def test_times_of_day_carry_their_zone_and_it_can_be_chosen(console: Page, serve
 def test_nothing_is_covered_on_a_narrow_screen_or_magnified(
     console: Page, server: ContractServer, width: int, height: int
 ) -> None:
-    """Protects at 720 to 900 px and at 200 % of 1440 x 900: the link chip was covered and labels overlapped."""
+    """Protects at 720 to 900 px and at 200 % of 1440 x 900: the link chip was covered, labels overlapped."""
     console.set_viewport_size({"width": width, "height": height})
     server.keep_saying(at(46.5, RUNNING, pb.MODE_HOVER))
     expect(console.get_by_label("Mode Hover")).to_be_visible()

@@ -104,6 +104,66 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/bin": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Binned
+         * @description The runs in the bin, the newest first.
+         */
+        get: operations["binned_api_bin_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/bin/{run}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post?: never;
+        /**
+         * Empty
+         * @description Delete a run in the bin for good.
+         */
+        delete: operations["empty_api_bin__run__delete"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/bin/{run}/restore": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Restore
+         * @description Take a run out of the bin again.
+         */
+        post: operations["restore_api_bin__run__restore_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/compare": {
         parameters: {
             query?: never;
@@ -778,7 +838,7 @@ export interface paths {
         post?: never;
         /**
          * Remove
-         * @description Delete a finished run.
+         * @description Put a finished run into the bin.
          */
         delete: operations["remove_api_runs__run__delete"];
         options?: never;
@@ -881,6 +941,26 @@ export interface paths {
          */
         get: operations["replay_api_runs__run__replay_get"];
         put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/runs/{run}/words": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Write
+         * @description Give a run a title, tags and a note; the log itself stays as it is.
+         */
+        put: operations["write_api_runs__run__words_put"];
         post?: never;
         delete?: never;
         options?: never;
@@ -1125,6 +1205,18 @@ export interface components {
             name: string;
             /** Size */
             size: number;
+        };
+        /**
+         * BinnedRun
+         * @description A run in the bin.
+         */
+        BinnedRun: {
+            /** Bytes */
+            bytes: number;
+            /** Id */
+            id: string;
+            /** Title */
+            title: string;
         };
         /** Body_acknowledge_api_alarms__alarm__acknowledge_post */
         Body_acknowledge_api_alarms__alarm__acknowledge_post: {
@@ -1718,6 +1810,8 @@ export interface components {
             /** Switches */
             switches: components["schemas"]["ForesightSwitch"][];
             track: components["schemas"]["ForesightTrack"];
+            /** Tuned */
+            tuned: boolean;
         };
         /**
          * ForesightOutcome
@@ -2538,9 +2632,19 @@ export interface components {
             mission: string;
             /** Mission Sha256 */
             mission_sha256: string;
+            /**
+             * Note
+             * @default
+             */
+            note: string;
             outcome: components["schemas"]["Ending"] | null;
             /** Outcome Reason */
             outcome_reason: string;
+            /**
+             * Recorded
+             * Format: date-time
+             */
+            recorded: string;
             /** Run Id */
             run_id: string;
             /**
@@ -2553,6 +2657,16 @@ export interface components {
              * @enum {string}
              */
             state: "recording" | "complete" | "interrupted";
+            /**
+             * Tags
+             * @default []
+             */
+            tags: string[];
+            /**
+             * Title
+             * @default
+             */
+            title: string;
             /** Vehicle */
             vehicle: string;
         };
@@ -2582,6 +2696,27 @@ export interface components {
              * @default
              */
             text: string;
+        };
+        /**
+         * RunWords
+         * @description Title, tags and note of a run.
+         */
+        RunWords: {
+            /**
+             * Note
+             * @default
+             */
+            note?: string;
+            /**
+             * Tags
+             * @default []
+             */
+            tags?: string[];
+            /**
+             * Title
+             * @default
+             */
+            title?: string;
         };
         /**
          * Schema
@@ -3219,6 +3354,120 @@ export interface operations {
                 content: {
                     "application/jsonl": unknown;
                 };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    binned_api_bin_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["BinnedRun"][];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    empty_api_bin__run__delete: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                run: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    restore_api_bin__run__restore_post: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                run: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
             };
             /** @description Refused, with the reason */
             "4XX": {
@@ -5079,6 +5328,48 @@ export interface operations {
                 content: {
                     "application/json": components["schemas"]["ReplayAnswer"];
                 };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    write_api_runs__run__words_put: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                run: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["RunWords"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
             };
             /** @description Refused, with the reason */
             "4XX": {

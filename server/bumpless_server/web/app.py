@@ -31,6 +31,7 @@ from bumpless_server.web.routes import (
     planning,
     replay,
     runs,
+    shelf,
     status,
     stream,
 )
@@ -53,6 +54,7 @@ ROUTERS = tuple(
         compare,
         replay,
         runs,
+        shelf,
         stream,
         foresight,
     )
