@@ -18,7 +18,7 @@ from bumpless.runs.run import Run
 MOST_POINTS = 1200  # of a line: more is finer than print
 WIDTH_IN = 7.2
 INK, FAINT, TRACE, REFERENCE, ALARM = "#0f1b2a", "#aebccb", "#0369a1", "#7c3aed", "#b91c1c"
-_STYLE = {
+_STYLE: Any = {
     "svg.fonttype": "none",
     "font.family": "sans-serif",
     "font.size": 8,

@@ -43,7 +43,7 @@ def report_of(path: Path) -> str:
 
     run = open_run(path)
     metrics, outcome = run.metrics, run.outcome
-    events = [message for topic, message in run.messages() if topic == "event"]
+    events: list[Any] = [message for topic, message in run.messages() if topic == "event"]
     text = (resources.files("bumpless.review") / "report.html.j2").read_text(encoding="utf-8")
     template = jinja2.Environment(autoescape=True, trim_blocks=True, lstrip_blocks=True).from_string(text)
     told = as_dict(metrics)
