@@ -68,7 +68,7 @@ def test_abort_stays_until_the_actuators_have_come_to_rest(console: Page, server
     expect(console.get_by_text("Actuators are stopping")).to_be_visible()
     expect(abort).to_be_enabled()
     server.keep_saying(at_rest(31.0, ABORTED))
-    expect(console.get_by_text("Actuators stopped: drifting")).to_be_visible()
+    expect(console.get_by_text("Actuators stopped: drifting", exact=True)).to_be_visible()
     expect(abort).to_be_disabled()
 
 
