@@ -22,12 +22,14 @@ from bumpless_server.audit import Audit
 from bumpless_server.data_dir import DataDir
 from bumpless_server.foresight.checked import Findings
 from bumpless_server.foresight.foresight import Foresight
+from bumpless_server.foresight.job import Present
 from bumpless_server.live.ask import NoAnswer
 from bumpless_server.live.bus import Bus
 from bumpless_server.live.clock import VehicleClock
 from bumpless_server.live.desk import Busy, Command, Desk
 from bumpless_server.live.dispatch import Dispatcher
 from bumpless_server.live.freshness import freshness
+from bumpless_server.live.heart import Heart
 from bumpless_server.live.intake import Intake
 from bumpless_server.live.open_bus import bus_notice
 from bumpless_server.live.sample import EVENT, Sample
@@ -69,7 +71,7 @@ class Console:
         self.library = Library(self.missions, self.data)
         self.presets = Presets(self.data.presets)
         self.findings = Findings()
-        self.foresight = Foresight(self.vehicle)  # on the web's loop, which ends it
+        self.foresight = Foresight(self._present)  # on the web's loop, which ends it
         self.catalogue = Catalogue(self.data.runs, self.data.index)
         self.replays = Replays()
         self.shelf = Shelf(self.data.words, self.data.run_bin)
@@ -157,6 +159,9 @@ class Console:
             stack.callback(self.alarms.stop)
             stack.callback(self.bus.close)
             self.bus.open()
+            heart = Heart(self.bus.beat)
+            heart.start()
+            stack.callback(heart.stop)
             indexing = threading.Thread(target=self._index, name="catalogue", daemon=True)
             indexing.start()
             stack.callback(indexing.join)
@@ -314,6 +319,10 @@ class Console:
     def _busy(self) -> Path | None:
         run = self.recorder.recording
         return run.path if run is not None else None
+
+    def _present(self) -> Present:
+        tuned = self.tuned.present()
+        return Present(self.vehicle(), tuned.SerializeToString() if tuned is not None else b"")
 
     def _ask_node_to_end(self) -> None:
         now = self.clock.to_vehicle(time.time_ns())

@@ -149,7 +149,7 @@ def draw(page: Page) -> None:
     page.get_by_role("button", name="New mission").click()
     next_step = page.get_by_role("status", name="Next step")
     expect(next_step).to_contain_text("each click is a waypoint")
-    for north, east in ((6, 0), (12, 0), (18, 0)):
+    for north, east in ((8, 0), (16, 0), (24, 0)):
         click(page, north, east)
     next_step.get_by_role("button", name="Place the dock").click()
-    drag(page, (24, 0), (27, 0))
+    drag(page, (36, 0), (39, 0))

@@ -33,7 +33,7 @@ def planned(console: Page, server: ContractServer) -> Iterator[Page]:
     planner.default_replies(server)
     server.foresee = lambda _: planner.forecast(198)
     keep(server, TEXT)
-    console.goto(f"{server.url}#plan/harbour")
+    console.goto(f"{server.url}#/plan/harbour")
     expect(console.get_by_label("How it is kept")).to_contain_text("Saved")
     expect(console.get_by_label("State of the forecast")).to_have_text("up to date")
     yield console

@@ -32,8 +32,7 @@ def quiet(n: int, **columns: Any) -> Columns:
         "solve_time": np.full(n, 20e-6),
     }
     base |= {name: np.zeros((n, 6)) for name in ("eta_hat", "nu_hat", "tau_d", "tau_plus", "tau_minus")}
-    base |= {name: np.zeros(n, np.int64) for name in ("stage", "tried", "reason", "captured")}
-    base |= {name: np.zeros(n) for name in ("contact_force", "contact_most", "nose_depth", "nose_offset")}
+    base |= {name: np.zeros(n, np.int64) for name in ("stage", "tried", "reason")}
     base |= {"nu_r_hat": np.zeros((n, 3)), "reference": np.zeros((n, 6))}
     base |= {"cross_track": np.zeros(n), "approach": np.zeros(n)}
     base |= {name: np.zeros((n, 6)) for name in ("tau_c", "tau", "eta", "nu")}

@@ -211,7 +211,7 @@ def yaw_column(model):
     nu = np.array([0.6, 0, 0, 0, 0, 0.0])
     out = []
     for i in range(4):
-        _, _, _, slope = fin_force(model, i, 0.0, nu)
+        _, _, _, slope = fin_force(model, i, 0.0, nu, 0.0)
         out.append(model["position"][i, 0] * slope * model["direction"][i, 1])
     return np.array(out)
 
@@ -244,8 +244,8 @@ def test_forward_speed_settles_where_thrust_meets_drag(model):
 def test_fin_slopes_equal_finite_differences(model, delta, nu, i):
     """Protects: the analytic slopes that the allocator's Jacobian is made of, stall and reversed flow too."""
     h = 1e-6
-    _, _, dx, de = fin_force(model, i, delta, nu)
-    up, down = fin_force(model, i, delta + h, nu), fin_force(model, i, delta - h, nu)
+    _, _, dx, de = fin_force(model, i, delta, nu, 0.0)
+    up, down = (fin_force(model, i, delta + x, nu, 0.0) for x in (h, -h))
     scale = 1e-4 * (1 + abs(dx) + abs(de))
     # C_D and C_L are smooth except at the wrap to the trailing edge, where a flat plate's drag has its peak
     alpha = (delta - np.arctan2(*_flow(model, i, nu)[::-1]) + np.pi) % (2 * np.pi) - np.pi

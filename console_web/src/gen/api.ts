@@ -1601,6 +1601,21 @@ export interface components {
             text: string;
         };
         /**
+         * FailsafeAnswer
+         * @description What the vehicle does by itself: shown before a start as "what happens when".
+         */
+        FailsafeAnswer: {
+            /** After S */
+            after_s: number | null;
+            /**
+             * Reaction
+             * @enum {string}
+             */
+            reaction: "none" | "hold" | "abort";
+            /** When */
+            when: string;
+        };
+        /**
          * FieldEntry
          * @description One field of a file format: where it stands, what it means and what it may hold.
          *
@@ -1815,6 +1830,8 @@ export interface components {
             /** Switches */
             switches: components["schemas"]["ForesightSwitch"][];
             track: components["schemas"]["ForesightTrack"];
+            /** Tuned */
+            tuned: boolean;
         };
         /**
          * ForesightOutcome
@@ -3129,6 +3146,8 @@ export interface components {
             controllable: string[];
             /** Diameter M */
             diameter_m: number;
+            /** Failsafe */
+            failsafe: components["schemas"]["FailsafeAnswer"][];
             /** Id */
             id: string;
             /** Length M */

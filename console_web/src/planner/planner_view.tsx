@@ -1,7 +1,8 @@
 // Plan: one mission drawn, typed and flown ahead. Left the plan and its depth, right what will happen and the details.
-import { signal, useSignal, useSignalEffect } from "@preact/signals";
+import { signal, untracked, useSignal, useSignalEffect } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { missions } from "../api/resources";
+import { go } from "../shell/address";
 import { Main } from "../ui/main";
 import { Segments } from "../ui/segments";
 import { plan } from "./fly/forecast";
@@ -34,24 +35,24 @@ export function PlannerView({ hidden }: { hidden: boolean }) {
   const library = useSignal(named() === "");
   useEffect(() => {
     void missions.refresh();
-    const goOn = (): void => {
-      const wanted = named();
-      if (wanted && wanted !== name.peek()) void openMission(wanted);
-    };
-    goOn();
     const stops = [autosave(), plan.follow(() => name.value !== "" && !broken.value && flies())];
-    addEventListener("hashchange", goOn);
     for (const kind of ["copy", "cut", "paste"] as const) document.addEventListener(kind, onClipboard);
     document.addEventListener("keydown", onAnyKey);
     return () => {
       for (const stop of stops) stop();
-      removeEventListener("hashchange", goOn);
       for (const kind of ["copy", "cut", "paste"] as const) document.removeEventListener(kind, onClipboard);
       document.removeEventListener("keydown", onAnyKey);
     };
   }, []);
   useSignalEffect(() => {
     if (!dragging.value) void learn(mission.value.vehicle);
+  });
+  useSignalEffect(() => {
+    const wanted = named();
+    untracked(() => {
+      if (wanted && wanted !== name.peek()) void openMission(wanted);
+      else if (!wanted && name.peek()) go("plan", name.peek(), {}, true); // back by the tab
+    });
   });
   useSignalEffect(() => {
     library.value = name.value === "" && named() === "";

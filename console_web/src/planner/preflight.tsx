@@ -4,6 +4,7 @@ import type { ComponentChildren } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 import { MissionPhase } from "../gen/bumpless_pb";
 import { clock } from "../lib/format";
+import { go } from "../shell/address";
 import { notice, seed, seedRefused, startShown } from "../shell/commands";
 import { flying, link, PHASES, phase } from "../stream/link";
 import { live } from "../stream/store";
@@ -71,7 +72,7 @@ function Sheet() {
     const ready = !unsaved.peek() || (await save());
     if (ready && text.peek() === shown && (await startShown({ name: name.peek(), sha256: hash.peek() }))) {
       preflight.value = false;
-      location.hash = "#live";
+      go("live");
     }
     starting.value = false;
   };

@@ -213,6 +213,19 @@ def test_one_bad_topic_takes_nothing_from_the_others(
             token.undeclare()
 
 
+def test_the_server_says_that_it_is_there(flying: Running, stranger: zenoh.Session) -> None:
+    """Protects: a vehicle can only miss a console that said it was there."""
+    heard: list[bytes] = []
+    held = stranger.declare_subscriber(
+        keys.heartbeat("ts100"), lambda sample: heard.append(sample.payload.to_bytes())
+    )
+    flying.until(lambda: len(heard) > 1)
+    assert pb.Heartbeat.FromString(heard[0]).session_id
+    (failsafe,) = flying.http.get("/api/vehicle").json()["failsafe"]
+    assert failsafe["reaction"] == "none" and failsafe["after_s"] is None
+    held.undeclare()
+
+
 def test_each_topic_has_an_age_of_its_own(flying: Running) -> None:
     """Protects: a topic that stopped looked as live as the link; what was never heard is late, not fresh."""
     told = {one["topic"]: one for one in flying.http.get("/api/diagnostics").json()["topics"]}

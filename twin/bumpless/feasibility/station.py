@@ -64,6 +64,12 @@ def station_keeping(
     return Station(headings, zone, chosen, rule.at(chosen), nearest)
 
 
+def _turned(given_deg: float, tolerance_deg: float, to_deg: float) -> float:
+    """The heading within the tolerance of the given one that is nearest to another."""
+    off = (to_deg - given_deg + 180.0) % 360.0 - 180.0
+    return (given_deg + min(max(off, -tolerance_deg), tolerance_deg)) % 360.0
+
+
 class _Rule:
     def __init__(self, vehicle: Vehicle, parameters: Parameters, current: tuple[float, float, float]) -> None:
         self.model: Any = build_model(vehicle)
@@ -78,12 +84,15 @@ class _Rule:
         return self.current[0] * c + self.current[1] * s, -self.current[0] * s + self.current[1] * c
 
     def choose(self, given_deg: float, tolerance_deg: float) -> float:
-        """The heading within the tolerance that is nearest to straight into the current."""
+        """The heading that the vehicle would take in flight: `control.docking.heading.choose_heading`."""
         if self.speed < 1e-9 or tolerance_deg <= 0.0:
             return given_deg
         into = math.degrees(math.atan2(-self.current[1], -self.current[0]))
-        off = (into - given_deg + 180.0) % 360.0 - 180.0
-        return (given_deg + min(max(off, -tolerance_deg), tolerance_deg)) % 360.0
+        ahead = _turned(given_deg, tolerance_deg, into)
+        if self.at(ahead).zone != REFUSE:
+            return ahead
+        astern = _turned(given_deg, tolerance_deg, into + 180.0)
+        return astern if self.at(astern).zone != REFUSE else ahead
 
     def at(self, heading_deg: float) -> Held:
         """Can station be held at a heading?"""

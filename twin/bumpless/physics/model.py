@@ -46,7 +46,7 @@ def build_model(vehicle: Vehicle) -> np.record:
     return model
 
 
-def fill_flow(model: np.void, vehicle: Vehicle) -> None:
+def fill_flow(model: np.record, vehicle: Vehicle) -> None:
     """Add to a MODEL record what the vehicle's file says of flow at screws and fins, and switch it on."""
     first = first_slots(vehicle)
     model["flow"] = 1

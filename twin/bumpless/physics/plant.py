@@ -107,8 +107,6 @@ def step_plant(model, environment, faults, plant, command, dt, substeps, noise):
         for i in range(N_STATE):
             x[i] += h / 6.0 * (total[i] + k[i])
         plant.time = t + h
-        if environment.dock.present == 1:
-            close_latch(environment.dock)
     blend_faults(faults, plant.time, plant.effectiveness)
     for i in range(6):
         plant.eta[i] = x[i]
@@ -120,11 +118,14 @@ def step_plant(model, environment, faults, plant, command, dt, substeps, noise):
 
 @jit
 def observe_plant(model, environment, plant):
-    """Fill plant.seen, the present current and actuator wrench, from the plant's state."""
+    """Fill plant.seen, present current and actuator wrench, and what a dock does, from the plant's state."""
     body, nu_r, seen = floats(3), floats(6), plant.seen
     water_velocity(environment, plant.gust, plant.time, plant.eta, seen.current, seen.current_dot)
     ned_to_body(plant.eta[3], plant.eta[4], plant.eta[5], seen.current, body)
     for i in range(3):
         nu_r[i] = plant.nu[i] - body[i]
         nu_r[3 + i] = plant.nu[3 + i]
-    total_wrench(model, plant.u, plant.effectiveness, nu_r, seen.tau)
+    if environment.dock.present == 1:
+        feel_dock(environment.dock, model.rings, plant.eta, plant.nu, plant.time, seen.tau)
+        close_latch(environment.dock)
+    total_wrench(model, plant.u, plant.effectiveness, nu_r, seen.tau)  # fills it anew

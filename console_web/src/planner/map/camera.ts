@@ -9,7 +9,7 @@ import { fitted, type Size, type Viewport } from "./viewport";
 export const size = signal<Size>({ width: 0, height: 0 });
 const MARGIN = 80; // px
 const LEAST_M = 16;
-const ROOM_M = 24; // ahead of a vehicle without a way
+const ROOM_M = 40; // ahead of a vehicle without a way
 
 const unturned = signal<Viewport>({ x: 0, y: 8, sx: 18, sy: 18, turn: 0 });
 const turnOf = (): number =>

@@ -1,8 +1,9 @@
 // Which mission is open, what is stored of it, and what is only in this browser.
-import { computed, effect, signal } from "@preact/signals";
+import { computed, effect, signal, untracked } from "@preact/signals";
 import { ask } from "../../api/client";
 import type { Refusal } from "../../api/http";
 import { missions } from "../../api/resources";
+import { address, go } from "../../shell/address";
 import { live } from "../../stream/store";
 import { put, restructured } from "./document";
 import { Drafts } from "./drafts";
@@ -40,19 +41,9 @@ export const badge = computed<Badge>(() => {
 });
 export const unsaved = computed(() => ["new", "changed", "elsewhere"].includes(badge.value));
 
-function address(to: string): void {
-  const wanted = to ? `#plan/${encodeURIComponent(to)}` : "#plan";
-  if (location.hash !== wanted) location.hash = wanted;
-}
-
-/** The mission that the address names. */
+/** The mission that the address names; the open one while another view is shown. */
 export function named(): string {
-  const [view, rest = ""] = location.hash.slice(1).split("/");
-  try {
-    return view === "plan" ? decodeURIComponent(rest) : name.peek();
-  } catch {
-    return "";
-  }
+  return address.value.view === "plan" ? address.value.id : name.peek();
 }
 
 function take(to: string, fresh: string, from: string, own: boolean): void {
@@ -61,7 +52,7 @@ function take(to: string, fresh: string, from: string, own: boolean): void {
   base.value = from;
   open(fresh);
   name.value = to;
-  address(to);
+  if (address.peek().view === "plan") go("plan", to);
 }
 
 /** Open a mission: its draft in this browser where there is one, else the stored file. */
@@ -69,7 +60,7 @@ export async function openMission(wanted: string): Promise<void> {
   flush();
   const draft = drafts.get(wanted);
   const answer = await ask("get", "/api/missions/{name}", { path: { name: wanted } });
-  if (named() !== wanted && location.hash.startsWith("#plan/")) return; // another was asked for since
+  if (untracked(named) !== wanted) return; // another was asked for since
   if (answer.ok) {
     const { yaml, sha256, builtin: own } = answer.value;
     const hash = sha256 || hashOf(yaml);
@@ -210,7 +201,7 @@ export async function remove(): Promise<void> {
   draftNames.value = drafts.names();
   name.value = "";
   open("");
-  address("");
+  go("plan");
   await missions.refresh();
   done.value = {
     text: `${gone} deleted.`,
@@ -223,7 +214,7 @@ async function restore(bin: string): Promise<void> {
   await missions.refresh();
   if (!answer.ok) trouble.value = answer;
   else {
-    address(answer.value.name);
+    go("plan", answer.value.name);
     await openMission(answer.value.name);
   }
 }

@@ -16,8 +16,9 @@ from bumpless.campaign.engine import in_order
 from bumpless.campaign.summary import share_of
 from bumpless.config.parameters import default_parameters
 from bumpless.feasibility import ACCEPT, REFUSE, WARN, station_keeping
+from bumpless.sim.approach import turn_used_deg
 from bumpless_paper.study.docks.cases import Case, Heading, draw_case, vehicle
-from bumpless_paper.study.docks.judge import judge
+from bumpless_paper.study.docks.judge import hits, judge
 from bumpless_paper.study.docks.many import Overrides, fly_case
 
 ZONES = {REFUSE: "refused", WARN: "warned of", ACCEPT: "accepted"}
@@ -46,7 +47,7 @@ class Asked:
 
 def headings_of(case: Case, chosen_deg: float) -> list[float]:
     """Headings to search within the tolerance: the one it would take, the target's, and a few about."""
-    given, turn = case.mission.target.heading_deg, case.mission.target.turn_deg
+    given, turn = case.mission.target.heading_deg, turn_used_deg(case.mission.target, vehicle())
     off = {0.0, (chosen_deg - given + 180.0) % 360.0 - 180.0, -turn, turn, -0.5 * turn, 0.5 * turn}
     return sorted({round(given + one, 3) for one in off if abs(one) <= turn + 1e-6})
 
@@ -71,7 +72,8 @@ def ask(number: int, heading: Heading) -> Asked:
     tried = ways(case, station.chosen_deg) if station.chosen.zone == REFUSE else iter([(case, {})])
     for way, overrides in tried:
         flights += 1
-        docks = judge(way, fly_case(way, overrides)).outcome == "docked"
+        flown = fly_case(way, overrides)
+        docks = judge(way, flown).outcome == "docked" and not hits(flown.log, mission.target).any()
         if docks:
             break
     gusts = mission.environment.current_variation

@@ -99,7 +99,7 @@ class DockingParameters:
     weathervane_s: Annotated[float, spell("Time in which it follows the hull in H", "weathervane", 0.1)] = 8.0
     # what can't be held is refused before the start and given up in flight; what surely can is accepted;
     # between the two lies a warning
-    side_still_mps: Annotated[float, pace("Most current across that is borne at rest", "side_still")] = 0.018
+    side_still_mps: Annotated[float, pace("Most current across that is borne at rest", "side_still")] = 0.022
     side_share: Annotated[float, share("And per m/s of head current", "side_share")] = 0.15
     following_mps: Annotated[float, pace("Most current from astern that is borne", "following")] = 0.1
     sure_side_still_mps: Annotated[

@@ -47,11 +47,16 @@ def turned(given, tolerance, heading):
 
 
 @jit
-def choose_heading(plan, current):
-    """The approach heading inside the tolerance that is nearest to straight into the current (3,), rad."""
+def choose_heading(settings, plan, current):
+    """The approach heading inside the tolerance that is nearest to straight into the current (3,), rad; where
+    station can't be held at that, but stern to the current it can, the one nearest to that."""
     if plan.heading_tolerance <= 0.0 or hypot(current[0], current[1]) < _STILL:
         return plan.target[3]
-    return turned(plan.target[3], plan.heading_tolerance, direction(-current[0], -current[1]))
+    into = turned(plan.target[3], plan.heading_tolerance, direction(-current[0], -current[1]))
+    if holdable(settings, current, into):
+        return into
+    stern = turned(plan.target[3], plan.heading_tolerance, direction(current[0], current[1]))
+    return stern if holdable(settings, current, stern) else into
 
 
 @jit
@@ -63,7 +68,7 @@ def follow_current(dt, settings, plan, current, left, docking):
     ):
         time = settings.turn_time if approaching else 0.5 * settings.turn_time
         known = min(max((hypot(current[0], current[1]) - _KNOWN) / _KNOWN, 0.0), 1.0)
-        turn = known * dt / time * wrap(choose_heading(plan, current) - docking.heading)
+        turn = known * dt / time * wrap(choose_heading(settings, plan, current) - docking.heading)
         docking.heading = wrap(docking.heading + turn)
 
 
@@ -71,9 +76,10 @@ def follow_current(dt, settings, plan, current, left, docking):
 def weathervane(dt, settings, plan, psi, u_r, docking):
     """In H let docking.heading follow the hull's psi, rad: it knows best where the current comes from.
 
-    u_r: speed through water, m/s; at rest in the water the hull knows nothing.
+    u_r: speed through water, m/s; at rest in the water the hull knows nothing, and stern to the current it
+    knows worst.
     """
     if plan.heading_tolerance > 0.0:
-        step = dt / settings.weathervane * min(max((abs(u_r) - 0.02) / 0.03, 0.0), 1.0)
+        step = dt / settings.weathervane * min(max((u_r - 0.02) / 0.03, 0.0), 1.0)
         wanted = docking.heading + step * wrap(psi - docking.heading)
         docking.heading = turned(plan.target[3], plan.heading_tolerance, wanted)

@@ -69,7 +69,7 @@ def in_transit(clock, settings, supervisor, plan, navigation, leg, point, view, 
     known = clock.time > _DECIDE_S and far < reach
     if leg < plan.n_legs - 1 or not (known or far < settings.entry_distance):
         return FORWARD
-    docking.heading = choose_heading(plan, navigation.current)
+    docking.heading = choose_heading(settings, plan, navigation.current)
     observation_point(target, docking.heading, plan.standoff, point)
     place_on_line(eta, point, docking.heading, view)
     view.off = abs(wrap(eta[5] - docking.heading))
@@ -138,7 +138,7 @@ def go_around(cycle, settings, plan, navigation, blind, point, view, docking):
     if docking.tried >= settings.tries or docking.reason == TOO_SLOW:
         give_up(cycle, settings, docking.reason, view, docking)
         return HOVER
-    heading = choose_heading(plan, navigation.current)
+    heading = choose_heading(settings, plan, navigation.current)
     if not holdable(settings, navigation.current, heading):
         give_up(cycle, settings, CURRENT, view, docking)
         return HOVER
