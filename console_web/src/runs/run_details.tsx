@@ -58,6 +58,17 @@ export function RunDetails({ run }: { run: RunSummary }) {
             >
               <DownloadIcon /> Download MCAP
             </a>
+            {run.state !== "recording" && (
+              <a
+                class="action"
+                href={address("/api/runs/{run}/report.html", { run: run.id })}
+                target="_blank"
+                rel="noopener"
+                title="One HTML file to send or print; fetches nothing"
+              >
+                Report
+              </a>
+            )}
             <Delete run={run} />
           </>
         }
