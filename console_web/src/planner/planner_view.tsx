@@ -21,6 +21,7 @@ import { PlanBar } from "./plan_bar";
 import { Preflight } from "./preflight";
 import { Profile } from "./profile/profile";
 import { YamlEditor } from "./text/yaml_editor";
+import { Versions } from "./versions";
 import "./planner_view.css";
 
 type Tab = "form" | "legs" | "text" | "if" | "keys";
@@ -83,6 +84,7 @@ export function PlannerView({ hidden }: { hidden: boolean }) {
         {library.value && <Library onClose={close} />}
       </div>
       <Preflight />
+      <Versions />
       <datalist id="plan-vehicles">
         {vehicles.value.map((id) => (
           <option key={id} value={id} />
