@@ -1,7 +1,6 @@
 """REMUS turns and pitches as the thesis' own model does, with the thesis' own coefficients as data."""
 
 import json
-from dataclasses import asdict
 
 import numpy as np
 import pytest
@@ -83,5 +82,5 @@ def test_file_has_the_published_numbers() -> None:
     """Protects: one table in two places, the vehicle's file and the comparison, says the same."""
     assert isinstance(REMUS.hull, MyringHull) and REMUS.hull.coefficients
     published = json.loads(PUBLISHED.read_text(encoding="utf-8"))["coefficients"]
-    for name, value in asdict(REMUS.hull.coefficients).items():
+    for name, value in REMUS.hull.coefficients.by_symbol.items():
         assert value == published[name], name

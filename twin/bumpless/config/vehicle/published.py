@@ -9,40 +9,45 @@ from typing import Annotated
 from bumpless.config.declare import Number, model
 
 
-def coefficient(unit: str, help: str = "") -> Number:
-    """One coefficient, named as in the source."""
-    return Number("Published coefficient", unit, help=help)
+def coefficient(unit: str) -> Number:
+    """One coefficient, named as in the source, with its unit; radians left out."""
+    return Number("Published coefficient", unit)
 
 
 @model
 class PublishedCoefficients:
     """Source: Prestero 2001, tables of chapter 4 and appendices."""
 
-    X_udot: Annotated[float, coefficient("kg")]
-    Y_vdot: Annotated[float, coefficient("kg")]
-    Y_rdot: Annotated[float, coefficient("kg·m")]
-    Z_wdot: Annotated[float, coefficient("kg")]
-    Z_qdot: Annotated[float, coefficient("kg·m")]
-    K_pdot: Annotated[float, coefficient("kg·m²")]
-    M_wdot: Annotated[float, coefficient("kg·m")]
-    M_qdot: Annotated[float, coefficient("kg·m²")]
-    N_vdot: Annotated[float, coefficient("kg·m")]
-    N_rdot: Annotated[float, coefficient("kg·m²")]
-    X_uu: Annotated[float, coefficient("kg/m")]
-    Y_vv: Annotated[float, coefficient("kg/m")]
-    Y_rr: Annotated[float, coefficient("kg·m")]
-    Z_ww: Annotated[float, coefficient("kg/m")]
-    Z_qq: Annotated[float, coefficient("kg·m")]
-    K_pp: Annotated[float, coefficient("kg·m²")]
-    M_ww: Annotated[float, coefficient("kg")]
-    M_qq: Annotated[float, coefficient("kg·m²")]
-    N_vv: Annotated[float, coefficient("kg")]
-    N_rr: Annotated[float, coefficient("kg·m²")]
-    Y_uv: Annotated[float, coefficient("kg/m")]
-    Y_ur: Annotated[float, coefficient("kg")]
-    Z_uw: Annotated[float, coefficient("kg/m")]
-    Z_uq: Annotated[float, coefficient("kg")]
-    M_uw: Annotated[float, coefficient("kg")]
-    M_uq: Annotated[float, coefficient("kg·m")]
-    N_uv: Annotated[float, coefficient("kg")]
-    N_ur: Annotated[float, coefficient("kg·m")]
+    @property
+    def by_symbol(self) -> dict[str, float]:
+        """The numbers by the source's symbols: "Y_vv"."""
+        return {name.rpartition("_")[0]: value for name, value in vars(self).items()}
+
+    X_udot_kg: Annotated[float, coefficient("kg")]
+    Y_vdot_kg: Annotated[float, coefficient("kg")]
+    Y_rdot_kgm: Annotated[float, coefficient("kg·m")]
+    Z_wdot_kg: Annotated[float, coefficient("kg")]
+    Z_qdot_kgm: Annotated[float, coefficient("kg·m")]
+    K_pdot_kgm2: Annotated[float, coefficient("kg·m²")]
+    M_wdot_kgm: Annotated[float, coefficient("kg·m")]
+    M_qdot_kgm2: Annotated[float, coefficient("kg·m²")]
+    N_vdot_kgm: Annotated[float, coefficient("kg·m")]
+    N_rdot_kgm2: Annotated[float, coefficient("kg·m²")]
+    X_uu_kgpm: Annotated[float, coefficient("kg/m")]
+    Y_vv_kgpm: Annotated[float, coefficient("kg/m")]
+    Y_rr_kgm: Annotated[float, coefficient("kg·m")]
+    Z_ww_kgpm: Annotated[float, coefficient("kg/m")]
+    Z_qq_kgm: Annotated[float, coefficient("kg·m")]
+    K_pp_kgm2: Annotated[float, coefficient("kg·m²")]
+    M_ww_kg: Annotated[float, coefficient("kg")]
+    M_qq_kgm2: Annotated[float, coefficient("kg·m²")]
+    N_vv_kg: Annotated[float, coefficient("kg")]
+    N_rr_kgm2: Annotated[float, coefficient("kg·m²")]
+    Y_uv_kgpm: Annotated[float, coefficient("kg/m")]
+    Y_ur_kg: Annotated[float, coefficient("kg")]
+    Z_uw_kgpm: Annotated[float, coefficient("kg/m")]
+    Z_uq_kg: Annotated[float, coefficient("kg")]
+    M_uw_kg: Annotated[float, coefficient("kg")]
+    M_uq_kgm: Annotated[float, coefficient("kg·m")]
+    N_uv_kg: Annotated[float, coefficient("kg")]
+    N_ur_kgm: Annotated[float, coefficient("kg·m")]

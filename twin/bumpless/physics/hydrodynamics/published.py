@@ -27,15 +27,16 @@ def place(name: str) -> tuple[int, int]:
 
 def published_matrices(given: PublishedCoefficients, fins: Sequence[Fin], rho: float) -> tuple[Array, ...]:
     """(M_A, D_quadratic, D_lift), each (6, 6): see `Coefficients`."""
+    by_symbol = given.by_symbol
     M_A, drag, lift = np.zeros((6, 6)), np.zeros((6, 6)), np.zeros((6, 6))
     for name in ADDED:
-        M_A[place(name)] = -getattr(given, name)
+        M_A[place(name)] = -by_symbol[name]
     for name in DRAG:
-        drag[place(name)] = -getattr(given, name)
+        drag[place(name)] = -by_symbol[name]
     for name in LIFT:
         row, column = place(name)
         known = bilinear(lambda nu, row=row: flow_force(M_A, fins, rho, nu)[row], 0, column)
-        lift[row, column] = known - getattr(given, name)
+        lift[row, column] = known - by_symbol[name]
     return M_A, drag, lift
 
 
