@@ -20,6 +20,7 @@ def default_replies(server: ContractServer) -> None:
     server.reply("GET", f"planning/{VEHICLE}", Planning.of(load_vehicle(VEHICLE)).model_dump())
     server.reply("GET", "fields/mission", field_catalogue("mission"))
     server.reply("GET", "mission-templates", [])
+    server.reply("GET", "drafts", [])
 
 
 def forecast(

@@ -7,12 +7,13 @@ import { Main } from "../ui/main";
 import { Segments } from "../ui/segments";
 import { plan } from "./fly/forecast";
 import { ForecastPanel } from "./fly/forecast_panel";
+import { WhatIf } from "./fly/what_if_panel";
 import { fields } from "./forms/fields";
 import { LegsTable } from "./forms/legs_table";
 import { SelectedForm } from "./forms/selected_form";
 import { KEYS, onAnyKey, onClipboard } from "./keys";
 import { Library } from "./library_panel";
-import { learn } from "./map/figures";
+import { learn, learnVehicles, vehicles } from "./map/figures";
 import { PlanMap } from "./map/plan_map";
 import { autosave, name, named, openMission } from "./model/library";
 import { broken, dragging, mission, selected } from "./model/plan";
@@ -20,14 +21,16 @@ import { PlanBar } from "./plan_bar";
 import { Preflight } from "./preflight";
 import { Profile } from "./profile/profile";
 import { YamlEditor } from "./text/yaml_editor";
+import { Versions } from "./versions";
 import "./planner_view.css";
 
-type Tab = "form" | "legs" | "text" | "keys";
+type Tab = "form" | "legs" | "text" | "if" | "keys";
 const tab = signal<Tab>("form");
 const TABS: readonly { value: Tab; name: string; about: string }[] = [
   { value: "form", name: "Details", about: "Every number of what is selected, or of the mission" },
   { value: "legs", name: "Legs", about: "Length, time and depth rate of each leg" },
   { value: "text", name: "YAML", about: "The file itself" },
+  { value: "if", name: "What if", about: "Another current, vehicle or tuning beside the plan" },
   { value: "keys", name: "Keys", about: "What the keyboard does" },
 ];
 
@@ -35,6 +38,7 @@ export function PlannerView({ hidden }: { hidden: boolean }) {
   const library = useSignal(named() === "");
   useEffect(() => {
     void missions.refresh();
+    void learnVehicles();
     const stops = [autosave(), plan.follow(() => name.value !== "" && !broken.value && flies())];
     for (const kind of ["copy", "cut", "paste"] as const) document.addEventListener(kind, onClipboard);
     document.addEventListener("keydown", onAnyKey);
@@ -80,6 +84,12 @@ export function PlannerView({ hidden }: { hidden: boolean }) {
         {library.value && <Library onClose={close} />}
       </div>
       <Preflight />
+      <Versions />
+      <datalist id="plan-vehicles">
+        {vehicles.value.map((id) => (
+          <option key={id} value={id} />
+        ))}
+      </datalist>
     </Main>
   );
 }
@@ -116,6 +126,8 @@ function Details() {
           <LegsTable />
         ) : here === "text" ? (
           <YamlEditor />
+        ) : here === "if" ? (
+          <WhatIf />
         ) : (
           <Keys />
         )}

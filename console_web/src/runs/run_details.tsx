@@ -58,6 +58,17 @@ export function RunDetails({ run }: { run: RunSummary }) {
             >
               <DownloadIcon /> Download MCAP
             </a>
+            {run.state !== "recording" && (
+              <a
+                class="action"
+                href={address("/api/runs/{run}/report.html", { run: run.id })}
+                target="_blank"
+                rel="noopener"
+                title="One HTML file to send or print; fetches nothing"
+              >
+                Report
+              </a>
+            )}
             <Delete run={run} />
           </>
         }
@@ -88,7 +99,7 @@ export function RunDetails({ run }: { run: RunSummary }) {
         </dl>
         {run.state !== "recording" && <WordsForm key={run.id} run={run} />}
       </Panel>
-      <Panel title="Metrics" class="run-metrics">
+      <Panel title="Metrics" class="run-metrics" scrolls>
         {run.state === "recording" && <Empty>Metrics are computed when the run ends.</Empty>}
         {metrics?.ok === false && <Empty>No metrics: {metrics.reason}</Empty>}
         {metrics?.ok && <MetricsTables metrics={metrics.value} />}

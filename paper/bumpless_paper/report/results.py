@@ -70,7 +70,7 @@ def outcomes_text(parts: dict[str, Any]) -> str:
 
 
 def fair_text(parts: dict[str, Any]) -> str:
-    """Markdown: allocator by ramp, each with its own best gains, on the docking vehicle."""
+    """Markdown: allocator by ramp on the docking vehicle."""
     n = parts["fair"]["numbers"]
     rows = []
     for row in n["rows"].values():
@@ -87,11 +87,9 @@ def fair_text(parts: dict[str, Any]) -> str:
     head = ["allocator", "docked", "collided", "step F→R", "≤ 0.05 on", "step R→H", "≤ 0.05 on", "true e_τ",
             "depth R (m)", "energy (J)", "fins (°)"]  # fmt: skip
     return (
-        f"**Allocator by ramp on the docking vehicle**, {n['flights']} drawn flights into a current, each "
-        "row with "
-        "the best gains of its own search with the same budget and score; steps from the switch until 15 s "
-        "after "
-        f"the ramp, medians.\n\n{_markdown(head, rows)}"
+        f"**Allocator by ramp on the docking vehicle**, {n['flights']} drawn flights into a current. S2, S3 "
+        "and S4 each fly the best gains of a search of their own, with the same budget and score; steps from "
+        f"the switch until 15 s after the ramp, medians.\n\n{_markdown(head, rows)}"
     )
 
 

@@ -1,9 +1,9 @@
-"""Allocator by ramp, each flown with the gains that are best for it.
+"""Allocator by ramp, the paper's S2, S3 and S4 each flown with the gains that are best for them.
 
 All rows fly the campaign `CAMPAIGN`: docking into a current, on vehicles whose fins, screws and sensors the
-autopilot does not know. `python -m bumpless_paper.study.fair [ROW ...]` searches the gains of every row with
-that campaign's `tune`: the same parameters, bounds, flights, trials and score. It writes `FOUND`. `judge`
-flies them on flights that no search has seen.
+autopilot does not know. `python -m bumpless_paper.study.fair [ROW ...]` searches the gains of `SEARCHED`,
+or of these rows, with that campaign's `tune`: the same parameters, bounds, flights, trials and score. It
+writes `FOUND`. `judge` flies them on flights that no search has seen; other rows fly the gains that ship.
 """
 
 import json
@@ -53,6 +53,7 @@ ROWS: dict[str, Variant] = {
     "hard": Variant("MD-CA, hard (S3)", merged(_allocator("mdca"), HARD)),
     "mdca_ramp": Variant("MD-CA, ramp (S4)", _allocator("mdca")),
 }
+SEARCHED = ("wls", "hard", "mdca_ramp")  # S2, S3, S4
 MEDIANS = (
     "wrench_error_rms", "step_fr", "late_step_fr", "step_rh", "late_step_rh", "forward_depth_m_rms",
     "reverse_depth_m_rms", "hover_depth_m_rms", "reverse_cross_m_rms", "hover_heading_deg_rms", "energy_j",
@@ -123,7 +124,9 @@ def _fly(job: tuple[str, int]) -> Row:
 
 @cache
 def _tuned(name: str) -> Prepared:
-    prepared = study.applied(prepared_for(name), found()[name]["values"])
+    prepared = prepared_for(name)
+    if name in found():
+        prepared = study.applied(prepared, found()[name]["values"])
     return replace(prepared, campaign=replace(prepared.campaign, seed=HELD_OUT))
 
 
@@ -150,9 +153,9 @@ def _median(values: Sequence[float]) -> float | None:
 
 
 def main(names: Sequence[str]) -> None:
-    """Search these rows, all when none is named, and write what was found."""
+    """Search these rows, `SEARCHED` when none is named, and write what was found."""
     rows = found() if FOUND.exists() else {}
-    for name in names or ROWS:
+    for name in names or SEARCHED:
         rows[name] = search(name, os.cpu_count() or 1)
         about = {"campaign": CAMPAIGN, "rows": {key: rows[key] for key in ROWS if key in rows}}
         FOUND.write_text(json.dumps(about, indent=1) + "\n", encoding="utf-8")

@@ -22,12 +22,12 @@ def part(progress: Progress) -> Part:
     assert tune is not None
     return Part(
         "fair",
-        "Allocator by ramp, each at its best",
+        "Allocator by ramp",
         f"TS-100 docks into a current with each allocator, with the ramp and without, on the same {FLIGHTS} "
         "drawn "
         f"flights (seed {HELD_OUT:,}), whose fins (slew, lag, lift), screws and sensors the autopilot does "
         "not "
-        f"know. Each row flies the best gains of a search of its own: {tune.trials} trials of "
+        f"know. S2, S3 and S4 each fly the best gains of a search of their own: {tune.trials} trials of "
         f"{campaign().campaign.count} flights over the same {len(tune.search)} parameters with the same "
         "score. "
         f"{findings(rows)}",
