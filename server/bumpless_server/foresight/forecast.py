@@ -1,7 +1,9 @@
 """The nominal flight of a plan as it is told: its way, its switches, how it ends and what it costs."""
 
 import hashlib
-from dataclasses import fields
+from collections.abc import Iterator
+from dataclasses import fields, is_dataclass
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -51,10 +53,23 @@ def nominal(plan: Plan, request_id: int, elapsed_ms: float = 0.0) -> ForesightNo
 def digest_of(columns: Columns) -> str:
     """SHA-256 of every column of a run but the measured solve times: equal for flights equal to the bit."""
     found = hashlib.sha256()
-    for field in fields(columns):
-        if field.name != NOT_OF_THE_FLIGHT:
-            found.update(np.ascontiguousarray(getattr(columns, field.name)).tobytes())
+    for name, values in _named(columns, ""):
+        if name != NOT_OF_THE_FLIGHT:
+            found.update(f"{name} {values.dtype.str} {values.shape}".encode())
+            found.update(np.ascontiguousarray(values).tobytes())
     return found.hexdigest()
+
+
+def _named(columns: Any, within: str) -> Iterator[tuple[str, npt.NDArray[Any]]]:
+    """Every array of a record of columns with its name, those of the records in it among them."""
+    for field in fields(columns):
+        value, name = getattr(columns, field.name), within + field.name
+        if is_dataclass(value):
+            yield from _named(value, f"{name}.")
+        elif isinstance(value, np.ndarray):
+            yield name, value
+        elif value is not None:
+            raise TypeError(f"{name} is no column")
 
 
 def track_of(columns: Columns, vehicle: Vehicle) -> ForesightTrack:
