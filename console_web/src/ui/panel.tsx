@@ -30,7 +30,7 @@ export function Panel({ title, topic, unit, aside, class: name, scrolls, childre
       {topic ? (
         <Freshness topic={topic}>{children}</Freshness>
       ) : (
-        <div class="panel-body" {...(scrolls ? { tabIndex: 0, role: "group", "aria-label": title } : {})}>
+        <div class="panel-body" {...(scrolls ? { tabIndex: 0 } : {})}>
           {children}
         </div>
       )}
