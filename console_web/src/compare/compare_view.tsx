@@ -76,15 +76,15 @@ export function CompareView() {
       </Panel>
       {answer?.ok && (
         <>
-          <Panel title="Lines" class="overlays" unit={`seconds from ${NAMES[align.value]}`}>
+          <Panel title="Lines" class="overlays" scrolls unit={`seconds from ${NAMES[align.value]}`}>
             {SIGNALS.map((signal) => (
               <Overlay key={signal.column} {...signal} align={align.value} comparison={answer.value} />
             ))}
           </Panel>
-          <Panel title="Figures" class="compared-figures" unit="against A">
+          <Panel title="Figures" class="compared-figures" scrolls unit="against A">
             <FiguresTable comparison={answer.value} />
           </Panel>
-          <Panel title="What differs" class="compared-settings">
+          <Panel title="What differs" class="compared-settings" scrolls>
             {answer.value.settings.length ? (
               <SettingsTable comparison={answer.value} />
             ) : (

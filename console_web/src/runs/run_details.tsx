@@ -99,7 +99,7 @@ export function RunDetails({ run }: { run: RunSummary }) {
         </dl>
         {run.state !== "recording" && <WordsForm key={run.id} run={run} />}
       </Panel>
-      <Panel title="Metrics" class="run-metrics">
+      <Panel title="Metrics" class="run-metrics" scrolls>
         {run.state === "recording" && <Empty>Metrics are computed when the run ends.</Empty>}
         {metrics?.ok === false && <Empty>No metrics: {metrics.reason}</Empty>}
         {metrics?.ok && <MetricsTables metrics={metrics.value} />}

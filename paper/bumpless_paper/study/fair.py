@@ -1,9 +1,9 @@
 """Allocator by ramp, the paper's S2, S3 and S4 each flown with the gains that are best for them.
 
 All rows fly the campaign `CAMPAIGN`: docking into a current, on vehicles whose fins, screws and sensors the
-autopilot does not know. `python -m bumpless_paper.study.fair [ROW ...]` searches the gains of rows, `SEARCHED`
-unless named, with that campaign's `tune`: the same parameters, bounds, flights, trials and score. It writes
-`FOUND`. `judge` flies them on flights that no search has seen; other rows fly the gains that ship.
+autopilot does not know. `python -m bumpless_paper.study.fair [ROW ...]` searches the gains of `SEARCHED`,
+or of these rows, with that campaign's `tune`: the same parameters, bounds, flights, trials and score. It
+writes `FOUND`. `judge` flies them on flights that no search has seen; other rows fly the gains that ship.
 """
 
 import json

@@ -135,8 +135,8 @@ def test_invented_topics_and_masses_of_events_are_not_kept(flying: Running, stra
 
     def masses() -> bool:
         for topic, size in (("tlm/invented", 1_000_000), ("event", 4_000_000)):
-            junk = {"encoding": "application/protobuf;bumpless.Event"}
-            stranger.put(f"bumpless/ts100/{topic}", b"x" * size, **junk)
+            encoding = keys.encoding_of(pb.Event)
+            stranger.put(f"bumpless/ts100/{topic}", b"x" * size, encoding=encoding)
         return counted(flying)["unknown_key"] > 2 and counted(flying)["too_large"] > 2
 
     flying.until(masses)
