@@ -10,6 +10,7 @@ from tests.console import planner
 from tests.console.conftest import show
 from tests.console.contract_server import ContractServer
 from tests.console.planner import stored
+from tests.console.test_axe import faults
 
 TEXT = """version: 1
 name: harbour
@@ -183,6 +184,20 @@ def test_start_wants_to_be_held_and_flies_the_very_text_that_is_shown(
     planned.mouse.up()
     assert call.json() == {"name": "harbour", "sha256": stored("harbour", made)["sha256"]}
     expect(planned.get_by_role("main", name="Live")).to_be_visible()
+
+
+def test_an_open_plan_has_no_serious_fault_for_who_reads_by_ear_or_keyboard(planned: Page) -> None:
+    """Protects every part of the planner, opened: axe-core finds nothing serious or moderate."""
+    found = {"mission": faults(planned)}
+    planner.click(planned, 26, 0)
+    expect(planned.get_by_role("heading", name="Dock", exact=True)).to_be_visible()
+    for tab in ("Details", "Legs", "YAML", "What if", "Keys"):
+        planned.get_by_role("button", name=tab, exact=True).click()
+        found[tab] = faults(planned)
+    planned.get_by_role("button", name="Start …").first.click()
+    expect(planned.get_by_role("dialog", name="Before the start")).to_be_visible()
+    found["sheet"] = faults(planned)
+    assert not {part: bad for part, bad in found.items() if bad}
 
 
 def test_a_worst_flight_is_one_click_away(planned: Page) -> None:

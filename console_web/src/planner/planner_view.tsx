@@ -73,11 +73,11 @@ export function PlannerView({ hidden }: { hidden: boolean }) {
         }}
       />
       <div class="planner-body">
-        <div class="column planner-left">
+        <div class="column planner-left" inert={library.value}>
           <PlanMap />
           <Profile />
         </div>
-        <div class="column planner-right" data-tab={tab.value}>
+        <div class="column planner-right" data-tab={tab.value} inert={library.value}>
           <ForecastPanel onPlace={() => undefined} />
           <Details />
         </div>
@@ -119,7 +119,7 @@ function Details() {
           }}
         />
       </header>
-      <div class="details-body" data-tab={here}>
+      <div class="details-body" data-tab={here} role="group" aria-label="What is chosen" tabIndex={0}>
         {!name.value ? null : here === "form" ? (
           <SelectedForm />
         ) : here === "legs" ? (

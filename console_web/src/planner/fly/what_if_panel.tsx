@@ -197,7 +197,7 @@ function Comparison() {
             What if
           </th>
           <th scope="col" class="num">
-            Difference
+            Change
           </th>
         </tr>
       </thead>

@@ -22,7 +22,9 @@ export function LegsTable() {
     <table class="table compact legs" aria-label="Legs" tabIndex={0} onKeyDown={onKey}>
       <thead>
         <tr>
-          <th scope="col">Leg</th>
+          <th scope="col">
+            Leg <span class="unit" />
+          </th>
           <th scope="col" class="num">
             Length <span class="unit">m</span>
           </th>
@@ -67,8 +69,10 @@ export function LegsTable() {
           <th scope="row">All</th>
           <td class="num">{fixed(total, 1)}</td>
           <td colSpan={2} />
-          <td class="num">{fixed(seconds, 0)}</td>
-          <td class="num muted">of {clock(view.duration)}</td>
+          <td class="num" title={`The mission ends after ${clock(view.duration)} at the latest`}>
+            {fixed(seconds, 0)}
+          </td>
+          <td />
         </tr>
       </tfoot>
     </table>

@@ -173,7 +173,7 @@ function paintDockZones(c: Ctx, s: Scene, wanted: NonNullable<MissionView["dock"
       );
     if (f.docks) {
       const label = `keep out ${f.keepOut} m`;
-      const towards = dock.heading + 60;
+      const towards = dock.heading + 105;
       ring(c, s, { at: dock.at, metres: f.keepOut, ink: "--alarm", dash: [6, 5], label, towards });
       paintCone(c, s, dock, end, f);
     }

@@ -106,5 +106,6 @@ export function makeEditor(root: ShadowRoot, text: string, typed: (text: string)
       ],
     }),
   });
+  view.scrollDOM.tabIndex = 0; // it scrolls, so the keyboard must reach it
   return view;
 }
