@@ -22,12 +22,14 @@ from bumpless_server.audit import Audit
 from bumpless_server.data_dir import DataDir
 from bumpless_server.foresight.checked import Findings
 from bumpless_server.foresight.foresight import Foresight
+from bumpless_server.foresight.job import Present
 from bumpless_server.live.ask import NoAnswer
 from bumpless_server.live.bus import Bus
 from bumpless_server.live.clock import VehicleClock
 from bumpless_server.live.desk import Busy, Command, Desk
 from bumpless_server.live.dispatch import Dispatcher
 from bumpless_server.live.freshness import freshness
+from bumpless_server.live.heart import Heart
 from bumpless_server.live.intake import Intake
 from bumpless_server.live.open_bus import bus_notice
 from bumpless_server.live.sample import EVENT, Sample
@@ -43,6 +45,7 @@ from bumpless_server.runs.catalogue import Catalogue
 from bumpless_server.runs.disk_budget import DiskBudget
 from bumpless_server.runs.recorder import Recorder
 from bumpless_server.runs.replays import Replays
+from bumpless_server.runs.shelf import Shelf
 from bumpless_server.settings import Settings
 from bumpless_server.vehicle_process.node_command import node_command
 from bumpless_server.vehicle_process.supervise import Supervisor
@@ -68,9 +71,10 @@ class Console:
         self.library = Library(self.missions, self.data)
         self.presets = Presets(self.data.presets)
         self.findings = Findings()
-        self.foresight = Foresight(self.vehicle)  # on the web's loop, which ends it
+        self.foresight = Foresight(self._present)  # on the web's loop, which ends it
         self.catalogue = Catalogue(self.data.runs, self.data.index)
         self.replays = Replays()
+        self.shelf = Shelf(self.data.words, self.data.run_bin)
         self.recorder = Recorder(
             self.data.runs,
             self.say,
@@ -140,6 +144,7 @@ class Console:
             self.data.open()
             stack.callback(self.data.close)
             self.audit.open()
+            self.shelf.open()
             self.catalogue.open()
             stack.callback(self.catalogue.close)
             stack.callback(self.replays.close)
@@ -154,6 +159,9 @@ class Console:
             stack.callback(self.alarms.stop)
             stack.callback(self.bus.close)
             self.bus.open()
+            heart = Heart(self.bus.beat)
+            heart.start()
+            stack.callback(heart.stop)
             indexing = threading.Thread(target=self._index, name="catalogue", daemon=True)
             indexing.start()
             stack.callback(indexing.join)
@@ -311,6 +319,10 @@ class Console:
     def _busy(self) -> Path | None:
         run = self.recorder.recording
         return run.path if run is not None else None
+
+    def _present(self) -> Present:
+        tuned = self.tuned.present()
+        return Present(self.vehicle(), tuned.SerializeToString() if tuned is not None else b"")
 
     def _ask_node_to_end(self) -> None:
         now = self.clock.to_vehicle(time.time_ns())

@@ -12,8 +12,7 @@ class DataDirError(RuntimeError):
 
 
 class DataDir:
-    """data_dir/{runs,missions,mission_*,presets,limits}, index.sqlite, audit.jsonl, alarms.json, node.*,
-    secret and a lock."""
+    """What the server keeps, each in its place below one folder, and the lock."""
 
     def __init__(self, root: Path) -> None:
         self.root = root
@@ -25,6 +24,8 @@ class DataDir:
         self.marks = root / "mission_marks.json"
         self.presets = root / "presets"
         self.limits = root / "limits"
+        self.run_bin = root / "run_bin"
+        self.words = root / "words.json"
         self.alarms = root / "alarms.json"
         self.index = root / "index.sqlite"
         self.node_record = root / "node.json"

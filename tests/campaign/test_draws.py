@@ -70,6 +70,34 @@ def test_target_is_moved_in_approach_axes():
     assert mission.target.true_offset_ned_m == pytest.approx((-2.0, 1.0, 0.0))
 
 
+def test_harder_sea_and_sensors_are_drawn():
+    """Protects: what is drawn of water, sensors and a hung dock reaches the mission's own fields."""
+    mission = drawn_mission(
+        shipped_mission("docking_funnel"),
+        {
+            "target_turn_deg": 90.0, "attenuation_per_m": 0.4, "water_depth_m": 30.0, "shelter_width_m": 0.9,
+            "shelter_turbulence": 0.2, "dock_heave_m": 0.1, "dock_sway_m": 0.2, "dock_phase_deg": 40.0,
+            "detection_latency_s": 0.3, "detection_outliers": 0.01, "marker_angle_deg": 60.0,
+            "heading_drift_degprth": 0.2, "roll_pitch_bias_deg": 0.4, "dvl_scale_error": 0.01,
+            "dvl_water_bias_mps": 0.02, "dvl_dropout": 0.1, "dvl_outage_at_s": 5.0,
+            "dvl_outage_length_s": 7.0,
+        },
+    )  # fmt: skip
+    sea, sensors, motion = mission.environment, mission.sensors, mission.target.motion
+    assert (sea.beam_attenuation_per_m, sea.water_depth_m) == (0.4, 30.0)
+    assert sea.shelter and (sea.shelter.width_m, sea.shelter.turbulence) == (0.9, 0.2)
+    assert motion and motion.amplitude_ned_m == pytest.approx((-0.2, 0.0, 0.1))
+    assert (motion.period_s, motion.phase_deg) == (9.0, 40.0)  # the period stays the mission's
+    camera, ins, dvl = sensors.detection, sensors.ins, sensors.dvl
+    assert camera and (camera.latency_s, camera.outlier_probability) == (0.3, 0.01)
+    assert camera.marker_angle_max_deg == 60.0
+    assert ins and (ins.heading_drift_degprth, ins.roll_pitch_bias_deg) == (0.2, 0.4)
+    assert dvl and (dvl.scale_error, dvl.water_bias_mps, dvl.dropout_probability) == (0.01, 0.02, 0.1)
+    assert [(o.from_s, o.to_s) for o in sensors.dvl_outages] == [(5.0, 12.0)]
+    assert parse_mission(mission_text(mission), "drawn").target == mission.target
+    assert drawn_mission(mission, {}) == mission
+
+
 def test_start_and_faults_are_drawn():
     """Protects: what is drawn reaches the mission's own fields."""
     mission = drawn_mission(
@@ -119,6 +147,10 @@ def test_every_quantity_changes_a_flight(campaign: Callable[..., Prepared], ts10
         values = {name: value}
         if name.startswith(("current_speed", "current_relative")):
             values = {"current_speed_mps": 0.1, "current_relative_deg": 10.0} | values
+        if name.startswith("dvl_outage"):
+            values = {"dvl_outage_at_s": 1.0, "dvl_outage_length_s": 2.0} | values
+        if name.startswith(("dock_period", "dock_phase")):
+            values = {"dock_heave_m": 0.1} | values
         if name.startswith("outage"):
             values = {"outage_at_s": 1.0, "outage_length_s": 2.0} | values
         if name.startswith("ballast"):

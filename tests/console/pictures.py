@@ -53,6 +53,10 @@ def take(browser: Browser, running: Running, folder: Path) -> None:
     """Fly, and take the pictures on the way."""
     page = open_page(browser, f"{running.url}/#missions", "dark")
     expect(page.get_by_label("Link: Live")).to_be_visible(timeout=COMPILES_MS)
+    page.goto(f"{running.url}/#/plan/docking_into_current")
+    expect(page.get_by_label("State of the forecast")).to_have_text("up to date", timeout=COMPILES_MS)
+    save(page, folder / "plan.png")
+    show(page, "Missions")
     page.get_by_role("button", name="Docking flight").click()
     start = page.get_by_role("button", name="Start this mission")
     expect(start).to_be_enabled(timeout=FLIES_MS)

@@ -20,6 +20,7 @@ def default_replies(server: ContractServer) -> None:
     server.reply("GET", f"planning/{VEHICLE}", Planning.of(load_vehicle(VEHICLE)).model_dump())
     server.reply("GET", "fields/mission", field_catalogue("mission"))
     server.reply("GET", "mission-templates", [])
+    server.reply("GET", "drafts", [])
 
 
 def forecast(
@@ -149,7 +150,7 @@ def draw(page: Page) -> None:
     page.get_by_role("button", name="New mission").click()
     next_step = page.get_by_role("status", name="Next step")
     expect(next_step).to_contain_text("each click is a waypoint")
-    for north, east in ((6, 0), (12, 0), (18, 0)):
+    for north, east in ((8, 0), (16, 0), (24, 0)):
         click(page, north, east)
     next_step.get_by_role("button", name="Place the dock").click()
-    drag(page, (24, 0), (27, 0))
+    drag(page, (36, 0), (39, 0))

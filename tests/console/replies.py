@@ -178,8 +178,17 @@ def run(run_id: str, name: str, state: str, end_reason: str, outcome: str | None
         "state": state,
         "end_reason": end_reason,
         "outcome": outcome,
+        "recorded": _when(run_id),
+        "title": "",
+        "tags": [],
+        "note": "",
         "outcome_reason": "in hover, truly 0.21 m from the observation point." if outcome else "",
     }
+
+
+def _when(run_id: str) -> str:
+    """The time in a run's id."""
+    return f"{run_id[:4]}-{run_id[4:6]}-{run_id[6:8]}T{run_id[9:11]}:{run_id[11:13]}:{run_id[13:15]}Z"
 
 
 def ranges() -> list[dict[str, Any]]:

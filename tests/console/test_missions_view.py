@@ -23,6 +23,16 @@ BAD = {
 }
 
 
+def at_rest() -> flight.Messages:
+    """A vehicle that waits for a mission, its actuators at rest."""
+    frame = flight.hello()
+    actuators = next(message for topic, message in frame if topic == "tlm/actuators")
+    assert isinstance(actuators, pb.Actuators)
+    for actuator in actuators.actuators:
+        actuator.command = actuator.feedback = 0.0
+    return frame
+
+
 def upload(page: Page, name: str, text: str) -> None:
     """Choose a file."""
     page.set_input_files(
@@ -136,7 +146,7 @@ def test_pause_and_resume(console: Page, server: ContractServer) -> None:
     server.reply("POST", "mission/resume", {"accepted": True, "reason": ""})
     flying = [*flight.server_status(), *flight.cycle(10.0)]
     server.keep_saying([*flying, *flight.mission_status(10.0)])
-    console.get_by_role("button", name="Pause").click()
+    console.get_by_role("button", name="Hold", exact=True).click()
     server.wait_for_call("POST", "mission/pause")
     server.keep_saying([*flying, *flight.mission_status(10.0, pb.MISSION_PHASE_PAUSED)])
     console.get_by_role("button", name="Resume").click()
@@ -148,6 +158,7 @@ def test_abort_wants_to_be_held(console: Page, server: ContractServer) -> None:
     """Protects a mission from a stray click or key; holding aborts, by pointer and by keyboard."""
     server.reply("POST", "mission/abort", {"accepted": True, "reason": ""})
     abort = console.get_by_role("button", name="Abort mission: press and hold for 1.0 s")
+    server.keep_saying(at_rest())
     expect(abort).to_be_disabled()
     server.keep_saying([*flight.server_status(), *flight.cycle(10.0), *flight.mission_status(10.0)])
     expect(abort).to_be_enabled()
@@ -175,13 +186,13 @@ def test_the_keyboard_keeps_its_place_when_controls_come_and_go(
     """Protects who starts and aborts by keyboard from being thrown back to the top of the page."""
     server.reply("POST", "mission/start", {"accepted": True, "reason": ""})
     server.reply("POST", "mission/abort", {"accepted": True, "reason": ""})
-    idle = flight.hello()
+    idle = at_rest()
     flying = [*flight.server_status(), *flight.cycle(10.0), *flight.mission_status(10.0)]
     bar = console.get_by_label("Mission control")
     bar.get_by_role("button", name="Start", exact=True).press("Enter")
     server.wait_for_call("POST", "mission/start")
     server.keep_saying(flying)
-    expect(bar.get_by_role("button", name="Pause")).to_be_focused()
+    expect(bar.get_by_role("button", name="Hold", exact=True)).to_be_focused()
 
     abort = bar.get_by_role("button", name="Hold to abort")
     abort.focus()

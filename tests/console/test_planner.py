@@ -1,6 +1,7 @@
 """The planner in a real browser: one document in three views, kept, judged and started as it is shown."""
 
 from collections.abc import Iterator
+from typing import Any
 
 import pytest
 from playwright.sync_api import Page, expect
@@ -33,7 +34,7 @@ def planned(console: Page, server: ContractServer) -> Iterator[Page]:
     planner.default_replies(server)
     server.foresee = lambda _: planner.forecast(198)
     keep(server, TEXT)
-    console.goto(f"{server.url}#plan/harbour")
+    console.goto(f"{server.url}#/plan/harbour")
     expect(console.get_by_label("How it is kept")).to_contain_text("Saved")
     expect(console.get_by_label("State of the forecast")).to_have_text("up to date")
     yield console
@@ -190,6 +191,51 @@ def test_a_worst_flight_is_one_click_away(planned: Page) -> None:
     expect(worst).to_contain_text("seed 1199")
     worst.click()
     expect(worst).to_have_attribute("aria-pressed", "true")
+
+
+def test_an_earlier_version_is_shown_with_its_difference_and_taken_as_a_step_to_undo(
+    planned: Page, server: ContractServer
+) -> None:
+    """Protects the way back over saves: what differs is read before it is taken."""
+    old = TEXT.replace("duration_s: 90", "duration_s: 120")
+    version = {"id": "v1", "saved": "2026-01-01T00:00:00Z", "size": 300, "sha256": "0" * 64}
+    server.reply("GET", "missions/harbour/history", [version])
+    server.reply("GET", "missions/harbour/history/v1", {"id": "v1", "sha256": "0" * 64, "yaml": old})
+    planned.get_by_role("button", name="More").click()
+    planned.get_by_role("button", name="Earlier versions …").click()
+    sheet = planned.get_by_role("dialog", name="Earlier versions")
+    sheet.get_by_role("button", name="2026-01-01").click()
+    difference = sheet.get_by_label("Difference")
+    expect(difference.locator("[data-kind=gone]")).to_contain_text("duration_s: 90")
+    expect(difference.locator("[data-kind=new]")).to_contain_text("duration_s: 120")
+    sheet.get_by_role("button", name="Take this version").click()
+    assert "duration_s: 120" in yaml(planned)
+    planned.get_by_role("button", name="Undo").click()
+    expect(planned.get_by_label("How it is kept")).to_contain_text("Saved")
+
+
+def test_a_variant_is_flown_beside_the_plan(planned: Page, server: ContractServer) -> None:
+    """Protects what-if: its changes go beside the text, never into it, and both stand side by side."""
+    asked: list[dict[str, Any]] = []
+
+    def foresee(request: dict[str, Any]) -> list[dict[str, Any]]:
+        asked.append(request)
+        return planner.forecast(150 if "overrides" in request else 198)
+
+    server.foresee = foresee
+    planned.get_by_role("button", name="What if").click()
+    planned.get_by_label("What if: speed of the current").fill("0.1")
+    planned.get_by_label("What if: parameter").fill("supervisor.range_fr_lower_m")
+    planned.get_by_label("What if: supervisor.range_fr_lower_m").fill("9")
+    row = planned.get_by_role("table", name="Plan and what if").get_by_role("row").nth(2)
+    expect(row.get_by_role("cell")).to_have_text(["99.0", "75.0", "\N{MINUS SIGN}24.0"])
+    expect(planned.get_by_label("How it is kept")).to_contain_text("Saved")
+    assert asked[-1]["text"] == TEXT
+    assert asked[-1]["overrides"] == {
+        "parameters": {"supervisor.range_fr_lower_m": 9},
+        "current": [0.1, 0, 0],
+        "vehicle": None,
+    }
 
 
 def test_a_deleted_mission_comes_back(planned: Page, server: ContractServer) -> None:

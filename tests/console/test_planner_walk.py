@@ -38,7 +38,7 @@ def test_a_newcomer_draws_mends_starts_and_watches_a_mission(page: Page, running
 
     planner.drag_current(page, right=9, down=0)  # from the west, across the approach
     findings = page.get_by_label("Findings")
-    expect(findings).to_contain_text("can't hold station", timeout=FORESEES_MS)
+    expect(findings).to_contain_text("no sideways thrust", timeout=FORESEES_MS)
     next_step = page.get_by_role("status", name="Next step")
     expect(next_step).to_contain_text("This can't work as it is.")
     next_step.get_by_role("button").click()

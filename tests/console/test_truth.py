@@ -68,7 +68,7 @@ def test_abort_stays_until_the_actuators_have_come_to_rest(console: Page, server
     expect(console.get_by_text("Actuators are stopping")).to_be_visible()
     expect(abort).to_be_enabled()
     server.keep_saying(at_rest(31.0, ABORTED))
-    expect(console.get_by_text("Actuators stopped: drifting")).to_be_visible()
+    expect(console.get_by_text("Actuators stopped: drifting", exact=True)).to_be_visible()
     expect(abort).to_be_disabled()
 
 
@@ -193,7 +193,7 @@ def test_times_of_day_carry_their_zone_and_it_can_be_chosen(console: Page, serve
 def test_nothing_is_covered_on_a_narrow_screen_or_magnified(
     console: Page, server: ContractServer, width: int, height: int
 ) -> None:
-    """Protects at 720 to 900 px and at 200 % of 1440 x 900: the link chip was covered and labels overlapped."""
+    """Protects at 720 to 900 px and at 200 % of 1440 x 900: the link chip was covered, labels overlapped."""
     console.set_viewport_size({"width": width, "height": height})
     server.keep_saying(at(46.5, RUNNING, pb.MODE_HOVER))
     expect(console.get_by_label("Mode Hover")).to_be_visible()
@@ -253,3 +253,36 @@ def test_last_known_values_stay_readable(console: Page, server: ContractServer, 
     }"""
     )
     assert worst[0] >= 4.5, worst
+
+
+def test_what_the_next_switch_waits_for_is_a_checklist_of_the_vehicles_own(
+    console: Page, server: ContractServer
+) -> None:
+    """Protects "why this mode": each way out with what is met and what is not, and when it will be taken."""
+    guards = [
+        pb.Guard(name="seen in 5 frames", value=5, limit=3, at_least=True, met=True),
+        pb.Guard(name="range", value=0.82, limit=0.6, unit="m"),
+    ]
+    exits = pb.Exits(exits=[pb.ModeExit(to=pb.MODE_HOVER, name="hover", guards=guards, expected_s=4.2)])
+    server.keep_saying([*at(30.0, RUNNING, pb.MODE_REVERSE), ("tlm/exits", exits)])
+    row = console.get_by_label("Ways out of this mode").get_by_role("listitem")
+    expect(row).to_have_count(1)
+    expect(row).to_contain_text("seen in 5 frames: 5 of 3, met")
+    expect(row).to_contain_text("range 0.82 > 0.60 m, not met")
+    expect(row).to_contain_text("in about 4 s")
+    server.keep_saying([*at(31.0, ABORTED), ("tlm/exits", exits)])
+    expect(row).to_have_count(0)
+
+
+def test_a_past_switch_opens_to_what_would_have_prevented_it(console: Page, server: ContractServer) -> None:
+    """Protects the ledger: what was true then, in the vehicle's words."""
+    told = {"unless": "a range above it", "dwelt_s": "21.95", "dwell_s": "3.00", "range_m": "0.598"}
+    server.say(
+        flight.event(
+            46.0, pb.SEVERITY_INFO, "mode_switch", "Reverse to hover: range.", detected="true", **told
+        )
+    )
+    event = console.get_by_role("log").get_by_role("listitem")
+    event.get_by_text("Reverse to hover").click()
+    expect(event).to_contain_text("a range above it")
+    expect(event).to_contain_text("21.95 s of 3.00 s")

@@ -58,6 +58,7 @@ def test_a_sound_mission_has_no_findings() -> None:
         (CASE.replace("duration_s: 180", "duration_s: 40"), ("soft", "short_of_time")),
         (CASE.replace("[10, 0, 2.0]", "[20, 0, 2.0], speed_mps: 0.7}\n  - {to_ned_m: [0, 0, 2.0]"),
          ("soft", "seen_early")),
+        (CASE + "end: {hover_hold_s: 100}\n", ("soft", "long_hover")),
         (CASE + "environment: {beam_attenuation_per_m: 0.96}\n", ("soft", "seen_too_late")),
     ],
 )  # fmt: skip

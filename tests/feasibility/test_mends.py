@@ -35,6 +35,7 @@ def made(text: str, mend: bumpless.Mend) -> str:
         (CASE.replace("[26, 0, 2.3]", "[26, 0, 23]"), "target_depth"),
         (CASE.replace("[26, 0, 2.3]", "[26, 10, 2.3]"), "target_not_on_path"),
         (CASE.replace("speed_mps: 0.7}\ntarget", "speed_mps: 4.5}\ntarget"), "leg_too_fast"),
+        (CASE + "end: {hover_hold_s: 100}\n", "long_hover"),
         (CASE + "environment: {beam_attenuation_per_m: 0.96}\n", "seen_too_late"),
     ],
 )

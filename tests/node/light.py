@@ -67,12 +67,21 @@ class LightTwin:
         self._events.append(TwinEvent(1, code, text, {}, float(self._log[0]["time"])))
 
 
-def run(endpoint: str, realtime: str = "realtime", mission: str | None = None) -> int:
-    """A vehicle node of its own with this twin in it, connected to `endpoint`."""
+def run(
+    endpoint: str, realtime: str = "realtime", mission: str | None = None, vehicle: str | None = None
+) -> int:
+    """A vehicle node of its own with this twin in it, connected to `endpoint`; `vehicle` is a file."""
     from bumpless.node import main
 
     paced = realtime == "realtime"
-    return main("ts100", connect=[endpoint], realtime=paced, mission=mission, make_twin=LightTwin)
+    return main(
+        "ts100",
+        vehicle,
+        connect=[endpoint],
+        realtime=paced,
+        mission=mission or None,
+        make_twin=LightTwin,
+    )
 
 
 if __name__ == "__main__":

@@ -42,6 +42,14 @@ def test_what_the_phase_forbids_is_refused_with_the_phase(flying: Flying, verb: 
     assert [(e.code, e.details["verb"]) for e in events] == [("command_refused", verb)]
 
 
+def test_a_vehicle_that_holds_after_its_mission_can_be_stopped(flying: Flying) -> None:
+    """Protects: while an actuator may move abort is not refused, whatever the mission's phase."""
+    assert flying.start().accepted
+    flying.twin.phase = pb.MISSION_PHASE_COMPLETED
+    assert flying.ask("abort").accepted and flying.twin.phase == ABORTED
+    assert not flying.ask("abort").accepted
+
+
 def test_a_running_mission_is_not_replaced(flying: Flying) -> None:
     """Whoever wants another mission aborts the one that is flown; its run id says which that is."""
     first = flying.start()

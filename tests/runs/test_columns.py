@@ -6,7 +6,8 @@ from typing import Any
 
 import pytest
 
-from bumpless import NoFigures, open_run
+from bumpless import NoFigures, fly, load_mission, open_run
+from bumpless.config.mission import parse_mission
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.metrics import Columns, as_dict, figures_of
 from tests.runs.flights import Flight, begin, record
@@ -111,3 +112,21 @@ def test_a_log_without_a_mission_has_no_metrics(tmp_path: Path) -> None:
     begin(path).finish("complete", "nothing was flown")
     with pytest.raises(NoFigures):
         open_run(path).metrics  # noqa: B018
+
+
+def test_a_capture_is_the_same_from_the_file(tmp_path: Path) -> None:
+    """Protects: docked by a latch, with force, seat time and offset, in memory as in a log."""
+    run = fly(load_mission("docking_funnel"))
+    stored = open_run(run.save(tmp_path / "funnel.mcap"))
+    assert run.outcome.ending == stored.outcome.ending == "docked"
+    same(as_dict(run.metrics), as_dict(stored.metrics))
+    capture = stored.metrics.capture
+    assert capture.captured and 0.0 < capture.force_max_n < capture.force_most_n == 300.0
+    assert 5.0 < capture.seat_time_s < 15.0 and 0.0 < capture.entry_offset_m < 0.2
+    assert not open_run(make_plain(tmp_path)).metrics.HasField("capture")
+
+
+def make_plain(folder: Path) -> Path:
+    """The log of a flight without a dock to enter."""
+    text = load_mission("docking").text.replace("duration_s: 90", "duration_s: 2")
+    return fly(parse_mission(text, "plain.yaml")).save(folder / "plain.mcap")

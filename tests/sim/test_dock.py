@@ -5,6 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from bumpless.campaign.page.capture import picture_of
 from bumpless.config.mission import MissionError, parse_mission
 from bumpless.config.vehicle import load_vehicle
 from bumpless.contract.enums import BACK, CAPTURED, CREEP, OFF_HEADING, OFF_LINE
@@ -141,6 +142,8 @@ def test_map_takes_what_the_cone_takes():
     assert found.captured[0, 1] and found.captured[1, 1] and found.captured[1, 0]
     assert not found.captured[2].any() and not found.captured[:, 2].any()
     assert found.force_max_n[:2, :2].max() < 100.0
+    picture = picture_of(found)
+    assert picture.startswith("<svg") and "largest force, N" in picture
     with pytest.raises(ValueError, match="no dock"):
         capture_map(parse_mission((Path(__file__).parents[2] / "missions/docking.yaml").read_text(), "d"),
                     TS100, [0.0], [0.0])  # fmt: skip

@@ -104,6 +104,66 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/bin": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Binned
+         * @description The runs in the bin, the newest first.
+         */
+        get: operations["binned_api_bin_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/bin/{run}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post?: never;
+        /**
+         * Empty
+         * @description Delete a run in the bin for good.
+         */
+        delete: operations["empty_api_bin__run__delete"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/bin/{run}/restore": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Restore
+         * @description Take a run out of the bin again.
+         */
+        post: operations["restore_api_bin__run__restore_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/compare": {
         parameters: {
             query?: never;
@@ -778,7 +838,7 @@ export interface paths {
         post?: never;
         /**
          * Remove
-         * @description Delete a finished run.
+         * @description Put a finished run into the bin.
          */
         delete: operations["remove_api_runs__run__delete"];
         options?: never;
@@ -881,6 +941,46 @@ export interface paths {
          */
         get: operations["replay_api_runs__run__replay_get"];
         put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/runs/{run}/report.html": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Report
+         * @description The run's report: one HTML file that fetches nothing and prints on A4.
+         */
+        get: operations["report_api_runs__run__report_html_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/runs/{run}/words": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Write
+         * @description Give a run a title, tags and a note; the log itself stays as it is.
+         */
+        put: operations["write_api_runs__run__words_put"];
         post?: never;
         delete?: never;
         options?: never;
@@ -1125,6 +1225,18 @@ export interface components {
             name: string;
             /** Size */
             size: number;
+        };
+        /**
+         * BinnedRun
+         * @description A run in the bin.
+         */
+        BinnedRun: {
+            /** Bytes */
+            bytes: number;
+            /** Id */
+            id: string;
+            /** Title */
+            title: string;
         };
         /** Body_acknowledge_api_alarms__alarm__acknowledge_post */
         Body_acknowledge_api_alarms__alarm__acknowledge_post: {
@@ -1489,6 +1601,21 @@ export interface components {
             text: string;
         };
         /**
+         * FailsafeAnswer
+         * @description What the vehicle does by itself: shown before a start as "what happens when".
+         */
+        FailsafeAnswer: {
+            /** After S */
+            after_s: number | null;
+            /**
+             * Reaction
+             * @enum {string}
+             */
+            reaction: "none" | "hold" | "abort";
+            /** When */
+            when: string;
+        };
+        /**
          * FieldEntry
          * @description One field of a file format: where it stands, what it means and what it may hold.
          *
@@ -1703,6 +1830,8 @@ export interface components {
             /** Switches */
             switches: components["schemas"]["ForesightSwitch"][];
             track: components["schemas"]["ForesightTrack"];
+            /** Tuned */
+            tuned: boolean;
         };
         /**
          * ForesightOutcome
@@ -2523,9 +2652,19 @@ export interface components {
             mission: string;
             /** Mission Sha256 */
             mission_sha256: string;
+            /**
+             * Note
+             * @default
+             */
+            note: string;
             outcome: components["schemas"]["Ending"] | null;
             /** Outcome Reason */
             outcome_reason: string;
+            /**
+             * Recorded
+             * Format: date-time
+             */
+            recorded: string;
             /** Run Id */
             run_id: string;
             /**
@@ -2538,6 +2677,16 @@ export interface components {
              * @enum {string}
              */
             state: "recording" | "complete" | "interrupted";
+            /**
+             * Tags
+             * @default []
+             */
+            tags: string[];
+            /**
+             * Title
+             * @default
+             */
+            title: string;
             /** Vehicle */
             vehicle: string;
         };
@@ -2567,6 +2716,27 @@ export interface components {
              * @default
              */
             text: string;
+        };
+        /**
+         * RunWords
+         * @description Title, tags and note of a run.
+         */
+        RunWords: {
+            /**
+             * Note
+             * @default
+             */
+            note?: string;
+            /**
+             * Tags
+             * @default []
+             */
+            tags?: string[];
+            /**
+             * Title
+             * @default
+             */
+            title?: string;
         };
         /**
          * Schema
@@ -2976,6 +3146,8 @@ export interface components {
             controllable: string[];
             /** Diameter M */
             diameter_m: number;
+            /** Failsafe */
+            failsafe: components["schemas"]["FailsafeAnswer"][];
             /** Id */
             id: string;
             /** Length M */
@@ -3202,6 +3374,120 @@ export interface operations {
                 content: {
                     "application/jsonl": unknown;
                 };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    binned_api_bin_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["BinnedRun"][];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    empty_api_bin__run__delete: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                run: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    restore_api_bin__run__restore_post: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                run: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
             };
             /** @description Refused, with the reason */
             "4XX": {
@@ -5062,6 +5348,88 @@ export interface operations {
                 content: {
                     "application/json": components["schemas"]["ReplayAnswer"];
                 };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    report_api_runs__run__report_html_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                run: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/html": unknown;
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    write_api_runs__run__words_put: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                run: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["RunWords"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
             };
             /** @description Refused, with the reason */
             "4XX": {

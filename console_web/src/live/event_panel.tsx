@@ -76,14 +76,37 @@ function Row({ event }: { event: Event }) {
         <span class="sr">{name}</span>
       </span>
       <time class="num">{when(event)}</time>
-      <span class="event-text">{event.text}</span>
+      {event.code === "mode_switch" ? <Switch event={event} /> : <span class="event-text">{event.text}</span>}
     </li>
+  );
+}
+
+/** A past switch opens to what was true and what would have prevented it. */
+function Switch({ event }: { event: Event }) {
+  const { unless, dwelt_s, dwell_s, range_m, detected } = event.details;
+  return (
+    <details class="event-text">
+      <summary>{event.text}</summary>
+      <dl class="switch-facts">
+        <dt>would have been prevented by</dt>
+        <dd>{unless ?? "not told"}</dd>
+        <dt>stayed before</dt>
+        <dd class="num">
+          {dwelt_s ?? "–"} s of {dwell_s ?? "–"} s
+        </dd>
+        <dt>range, target</dt>
+        <dd class="num">
+          {range_m ?? "–"} m, {detected === "true" ? "seen" : "not seen"}
+        </dd>
+      </dl>
+    </details>
   );
 }
 
 /** Mission time where there is one, else the time of day. */
 function when(event: Event): string {
-  if (event.stamp && event.stamp.missionTimeS > 0) return `T+${clock(event.stamp.missionTimeS)}`;
+  if (event.stamp && (event.stamp.missionTimeS > 0 || !screen.isLive))
+    return `T+${clock(event.stamp.missionTimeS)}`;
   if (!event.stamp?.timeNs) return "";
   const at = new Date(Number(event.stamp.timeNs / 1_000_000n));
   return `${timeOfDay(at)} ${zoneName(at)}`;

@@ -9,6 +9,7 @@ import { HollowIcon, RecordIcon } from "../ui/icons";
 import { ModeBadge } from "../ui/mode_mark";
 import { Empty, Panel } from "../ui/panel";
 import { DockingLine } from "./docking_line";
+import { Exits } from "./exits";
 import { ModeStrip } from "./mode_strip";
 import { RangeGauge } from "./range_gauge";
 import { WINDOWS_S, window_s } from "./time_axis";
@@ -98,6 +99,7 @@ function Content() {
       <DockingLine supervisor={supervisor} />
       <RangeGauge supervisor={supervisor} />
       <ModeStrip />
+      <Exits />
     </>
   );
 }

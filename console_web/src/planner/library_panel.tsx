@@ -5,18 +5,11 @@ import { ask } from "../api/client";
 import { Resource } from "../api/resource";
 import { missions } from "../api/resources";
 import { clock } from "../lib/format";
+import { go } from "../shell/address";
 import { CrossIcon } from "../ui/icons";
 import { present } from "./map/figures";
 import { tool } from "./map/tools";
-import {
-  draftNames,
-  fromTemplate,
-  fromText,
-  importFile,
-  name,
-  newMission,
-  openMission,
-} from "./model/library";
+import { draftNames, fromTemplate, fromText, importFile, name, newMission } from "./model/library";
 import "./library_panel.css";
 
 interface Entry {
@@ -191,7 +184,7 @@ function Row({ entry, onClose }: { entry: Entry; onClose: () => void }) {
         class="library-open"
         aria-current={entry.name === name.value ? "true" : undefined}
         onClick={() => {
-          void openMission(entry.name);
+          go("plan", entry.name);
           onClose();
         }}
       >

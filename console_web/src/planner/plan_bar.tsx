@@ -26,6 +26,7 @@ import {
 } from "./model/library";
 import { mission, redo, redoLabel, text, undo, undoLabel } from "./model/plan";
 import { preflight } from "./preflight_state";
+import { versionsOpen } from "./versions";
 import "./plan_bar.css";
 
 const BADGES: Record<Badge, { words: string; look: string; about: string }> = {
@@ -224,6 +225,15 @@ function More() {
           </button>
           <button type="button" disabled={!stored.value || !unsaved.value} onClick={run(() => void revert())}>
             Discard changes
+          </button>
+          <button
+            type="button"
+            disabled={!stored.value || builtin.value}
+            onClick={run(() => {
+              versionsOpen.value = true;
+            })}
+          >
+            Earlier versions …
           </button>
           <button type="button" onClick={run(() => give(text.peek(), `${name.peek()}.yaml`))}>
             Download YAML

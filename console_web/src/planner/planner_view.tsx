@@ -1,17 +1,19 @@
 // Plan: one mission drawn, typed and flown ahead. Left the plan and its depth, right what will happen and the details.
-import { signal, useSignal, useSignalEffect } from "@preact/signals";
+import { signal, untracked, useSignal, useSignalEffect } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { missions } from "../api/resources";
+import { go } from "../shell/address";
 import { Main } from "../ui/main";
 import { Segments } from "../ui/segments";
 import { plan } from "./fly/forecast";
 import { ForecastPanel } from "./fly/forecast_panel";
+import { WhatIf } from "./fly/what_if_panel";
 import { fields } from "./forms/fields";
 import { LegsTable } from "./forms/legs_table";
 import { SelectedForm } from "./forms/selected_form";
 import { KEYS, onAnyKey, onClipboard } from "./keys";
 import { Library } from "./library_panel";
-import { learn } from "./map/figures";
+import { learn, learnVehicles, vehicles } from "./map/figures";
 import { PlanMap } from "./map/plan_map";
 import { autosave, name, named, openMission } from "./model/library";
 import { broken, dragging, mission, selected } from "./model/plan";
@@ -19,14 +21,16 @@ import { PlanBar } from "./plan_bar";
 import { Preflight } from "./preflight";
 import { Profile } from "./profile/profile";
 import { YamlEditor } from "./text/yaml_editor";
+import { Versions } from "./versions";
 import "./planner_view.css";
 
-type Tab = "form" | "legs" | "text" | "keys";
+type Tab = "form" | "legs" | "text" | "if" | "keys";
 const tab = signal<Tab>("form");
 const TABS: readonly { value: Tab; name: string; about: string }[] = [
   { value: "form", name: "Details", about: "Every number of what is selected, or of the mission" },
   { value: "legs", name: "Legs", about: "Length, time and depth rate of each leg" },
   { value: "text", name: "YAML", about: "The file itself" },
+  { value: "if", name: "What if", about: "Another current, vehicle or tuning beside the plan" },
   { value: "keys", name: "Keys", about: "What the keyboard does" },
 ];
 
@@ -34,24 +38,25 @@ export function PlannerView({ hidden }: { hidden: boolean }) {
   const library = useSignal(named() === "");
   useEffect(() => {
     void missions.refresh();
-    const goOn = (): void => {
-      const wanted = named();
-      if (wanted && wanted !== name.peek()) void openMission(wanted);
-    };
-    goOn();
+    void learnVehicles();
     const stops = [autosave(), plan.follow(() => name.value !== "" && !broken.value && flies())];
-    addEventListener("hashchange", goOn);
     for (const kind of ["copy", "cut", "paste"] as const) document.addEventListener(kind, onClipboard);
     document.addEventListener("keydown", onAnyKey);
     return () => {
       for (const stop of stops) stop();
-      removeEventListener("hashchange", goOn);
       for (const kind of ["copy", "cut", "paste"] as const) document.removeEventListener(kind, onClipboard);
       document.removeEventListener("keydown", onAnyKey);
     };
   }, []);
   useSignalEffect(() => {
     if (!dragging.value) void learn(mission.value.vehicle);
+  });
+  useSignalEffect(() => {
+    const wanted = named();
+    untracked(() => {
+      if (wanted && wanted !== name.peek()) void openMission(wanted);
+      else if (!wanted && name.peek()) go("plan", name.peek(), {}, true); // back by the tab
+    });
   });
   useSignalEffect(() => {
     library.value = name.value === "" && named() === "";
@@ -79,6 +84,12 @@ export function PlannerView({ hidden }: { hidden: boolean }) {
         {library.value && <Library onClose={close} />}
       </div>
       <Preflight />
+      <Versions />
+      <datalist id="plan-vehicles">
+        {vehicles.value.map((id) => (
+          <option key={id} value={id} />
+        ))}
+      </datalist>
     </Main>
   );
 }
@@ -115,6 +126,8 @@ function Details() {
           <LegsTable />
         ) : here === "text" ? (
           <YamlEditor />
+        ) : here === "if" ? (
+          <WhatIf />
         ) : (
           <Keys />
         )}

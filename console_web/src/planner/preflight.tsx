@@ -3,7 +3,8 @@ import { useSignal } from "@preact/signals";
 import type { ComponentChildren } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 import { MissionPhase } from "../gen/bumpless_pb";
-import { clock } from "../lib/format";
+import { clock, signed } from "../lib/format";
+import { go } from "../shell/address";
 import { notice, seed, seedRefused, startShown } from "../shell/commands";
 import { flying, link, PHASES, phase } from "../stream/link";
 import { live } from "../stream/store";
@@ -71,7 +72,7 @@ function Sheet() {
     const ready = !unsaved.peek() || (await save());
     if (ready && text.peek() === shown && (await startShown({ name: name.peek(), sha256: hash.peek() }))) {
       preflight.value = false;
-      location.hash = "#live";
+      go("live");
     }
     starting.value = false;
   };
@@ -131,6 +132,8 @@ function Sheet() {
   );
 }
 
+/** Farther apart, times of the run and of the console can't be compared. */
+const CLOCK_S = 0.5;
 type Look = "good" | "warning" | "alarm" | "info";
 const ICONS = { good: CheckIcon, warning: WarningIcon, alarm: AlarmIcon };
 
@@ -201,8 +204,13 @@ function VehicleRows() {
           ? `; this run would not be recorded: ${status.recorderTrouble}`
           : "; the run is recorded"}
       </Row>
+      <Row name="Clock" look={Math.abs(status?.clockOffsetS ?? 0) < CLOCK_S ? "good" : "warning"}>
+        the vehicle's is <span class="num">{signed((status?.clockOffsetS ?? 0) * 1000, 0)} ms</span> off the
+        server's
+      </Row>
       <Row name="Command" look="info">
-        Whoever has this console open can pause and abort ({status?.streamClients ?? 1} open now).
+        Whoever has this console open can pause and abort ({status?.streamClients ?? 1} open now).{" "}
+        {status?.busNotice}
       </Row>
     </>
   );

@@ -11,9 +11,11 @@ import { DeleteButton } from "../ui/delete_button";
 import { DownloadIcon, PlayIcon } from "../ui/icons";
 import { Empty, Panel } from "../ui/panel";
 import "../ui/facts.css";
+import { throwAway } from "./bin";
 import { MetricsTables } from "./metrics_tables";
 import { OutcomeChip } from "./outcome";
 import { useNow } from "./run_now";
+import { WordsForm } from "./words_form";
 import "./run_details.css";
 
 /** Asked for once the run has ended: until then there are none. */
@@ -39,7 +41,7 @@ export function RunDetails({ run }: { run: RunSummary }) {
   return (
     <div class="column">
       <Panel
-        title={run.mission || "Run"}
+        title={run.title || run.mission || "Run"}
         class="run-about"
         aside={
           <>
@@ -56,6 +58,17 @@ export function RunDetails({ run }: { run: RunSummary }) {
             >
               <DownloadIcon /> Download MCAP
             </a>
+            {run.state !== "recording" && (
+              <a
+                class="action"
+                href={address("/api/runs/{run}/report.html", { run: run.id })}
+                target="_blank"
+                rel="noopener"
+                title="One HTML file to send or print; fetches nothing"
+              >
+                Report
+              </a>
+            )}
             <Delete run={run} />
           </>
         }
@@ -84,8 +97,9 @@ export function RunDetails({ run }: { run: RunSummary }) {
             </dd>
           </div>
         </dl>
+        {run.state !== "recording" && <WordsForm key={run.id} run={run} />}
       </Panel>
-      <Panel title="Metrics" class="run-metrics">
+      <Panel title="Metrics" class="run-metrics" scrolls>
         {run.state === "recording" && <Empty>Metrics are computed when the run ends.</Empty>}
         {metrics?.ok === false && <Empty>No metrics: {metrics.reason}</Empty>}
         {metrics?.ok && <MetricsTables metrics={metrics.value} />}
@@ -102,9 +116,9 @@ function Delete({ run }: { run: RunSummary }) {
       holdMs={1000}
       disabled={recording}
       title={
-        recording ? "A run being recorded cannot be deleted" : "Press and hold to delete the record for good"
+        recording ? "A run being recorded cannot be deleted" : "Press and hold to put the record into the bin"
       }
-      remove={() => ask("delete", "/api/runs/{run}", { path: { run: run.id } })}
+      remove={() => throwAway(run.id)}
       after={() => runs.refresh()}
     />
   );

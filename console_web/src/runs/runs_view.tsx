@@ -1,39 +1,102 @@
 // Runs: each flight's record, newest first, and the chosen run's metrics.
+import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { address as addressOf } from "../api/client";
 import { runs } from "../api/resources";
 import type { RunSummary } from "../api/types";
+import { CompareView } from "../compare/compare_view";
+import { MOST } from "../compare/compared";
 import { bytes, clock, dateTime } from "../lib/format";
 import { address, go } from "../shell/address";
+import { ENDINGS } from "../ui/endings";
 import { DownloadIcon } from "../ui/icons";
 import { Main } from "../ui/main";
 import { Empty, Panel } from "../ui/panel";
 import "../ui/table.css";
+import { TakeBack } from "./bin";
+import { isPiece, shownRuns } from "./filter";
 import { OutcomeChip } from "./outcome";
 import { RunDetails } from "./run_details";
 import { useNow } from "./run_now";
 import "./runs_view.css";
 
 export function RunsView() {
+  return address.value.query.compare === undefined ? <List /> : <CompareView />;
+}
+
+function List() {
   useEffect(() => void runs.refresh(), []);
   const { value: list, refusal } = runs;
-  const sorted = [...(list ?? [])].sort((a, b) => b.id.localeCompare(a.id));
-  const run = sorted.find(({ id }) => id === address.value.id) ?? sorted[0];
+  const words = useSignal("");
+  const outcome = useSignal("");
+  const marked = useSignal<readonly string[]>([]);
+  const sorted = shownRuns(list ?? [], { words: words.value, outcome: outcome.value });
+  const run = list?.find(({ id }) => id === address.value.id) ?? sorted[0];
+  const mark = (id: string): void => {
+    const without = marked.value.filter((other) => other !== id);
+    marked.value = without.length < marked.value.length ? without : [...without, id].slice(-MOST);
+  };
   return (
     <Main name="Runs" class="view runs">
-      <Panel title="Runs" class="run-list" aside={<span class="muted num">{sorted.length || ""}</span>}>
+      <Panel
+        title="Runs"
+        class="run-list"
+        aside={
+          <>
+            <input
+              type="search"
+              aria-label="Search in runs"
+              placeholder="Search"
+              value={words.value}
+              onInput={(event) => {
+                words.value = event.currentTarget.value;
+              }}
+            />
+            <select
+              class="small"
+              aria-label="Outcome"
+              value={outcome.value}
+              onChange={(event) => {
+                outcome.value = event.currentTarget.value;
+              }}
+            >
+              <option value="">all outcomes</option>
+              {Object.entries(ENDINGS).map(([value, { word }]) => (
+                <option key={value} value={value}>
+                  {word}
+                </option>
+              ))}
+            </select>
+            <button
+              type="button"
+              class="action small"
+              disabled={marked.value.length < 2}
+              title="Mark two to six runs in the list"
+              onClick={() => go("runs", "", { compare: marked.value.join() })}
+            >
+              Compare {marked.value.length || ""}
+            </button>
+            <span class="muted num">{sorted.length || ""}</span>
+          </>
+        }
+      >
+        <TakeBack />
         {refusal && <Empty>The list cannot be read: {refusal.reason}</Empty>}
-        {!refusal && list && !sorted.length && (
+        {list && list.length > 0 && !sorted.length && <Empty>No run is like that.</Empty>}
+        {!refusal && list && !list.length && (
           <Empty>No runs yet. Start a mission: it is recorded from start to end.</Empty>
         )}
         {sorted.length > 0 && (
           <table class="table">
             <thead>
               <tr>
+                <th scope="col">
+                  <span class="sr">Mark to compare</span>
+                </th>
                 <th scope="col">Outcome</th>
                 <th scope="col">Mission</th>
                 <th scope="col" class="num">
-                  Started
+                  Recorded
                 </th>
                 <th scope="col" class="num">
                   Duration
@@ -48,7 +111,14 @@ export function RunsView() {
             </thead>
             <tbody>
               {sorted.map((item) => (
-                <Row key={item.id} run={item} chosen={item === run} onChoose={() => go("runs", item.id)} />
+                <Row
+                  key={item.id}
+                  run={item}
+                  chosen={item === run}
+                  marked={marked.value.includes(item.id)}
+                  onMark={() => mark(item.id)}
+                  onChoose={() => go("runs", item.id)}
+                />
               ))}
             </tbody>
           </table>
@@ -65,19 +135,43 @@ export function RunsView() {
   );
 }
 
-function Row({ run, chosen, onChoose }: { run: RunSummary; chosen: boolean; onChoose: () => void }) {
+interface RowProps {
+  run: RunSummary;
+  chosen: boolean;
+  marked: boolean;
+  onMark: () => void;
+  onChoose: () => void;
+}
+
+function Row({ run, chosen, marked, onMark, onChoose }: RowProps) {
   const now = useNow(run);
   return (
     <tr data-chosen={chosen ? "yes" : undefined} onClick={onChoose}>
+      <td>
+        <input
+          type="checkbox"
+          aria-label={`Mark ${run.id} to compare`}
+          checked={marked}
+          disabled={run.state === "recording"}
+          onClick={(event) => event.stopPropagation()}
+          onChange={onMark}
+        />
+      </td>
       <td>
         <OutcomeChip run={run} />
       </td>
       <td>
         <button type="button" class="link" aria-pressed={chosen} title={run.id} onClick={onChoose}>
-          {run.mission || run.id}
+          {run.title || run.mission || run.id}
         </button>
+        {isPiece(run) && <span class="tag">piece {run.id.slice(run.run_id.length + 1)}</span>}
+        {run.tags.map((tag) => (
+          <span key={tag} class="tag">
+            {tag}
+          </span>
+        ))}
       </td>
-      <td class="num">{dateTime(run.started)}</td>
+      <td class="num">{dateTime(run.recorded)}</td>
       <td class="num">{clock(now.duration_s)}</td>
       <td class="num">{bytes(now.bytes)}</td>
       <td>

@@ -12,10 +12,12 @@ interface PanelProps {
   unit?: string;
   aside?: ComponentChildren;
   class?: string;
+  /** Its content scrolls: the keyboard must reach it. */
+  scrolls?: boolean;
   children: ComponentChildren;
 }
 
-export function Panel({ title, topic, unit, aside, class: name, children }: PanelProps) {
+export function Panel({ title, topic, unit, aside, class: name, scrolls, children }: PanelProps) {
   return (
     <section class={`panel ${name ?? ""}`} aria-label={title}>
       <header class="panel-head">
@@ -25,7 +27,13 @@ export function Panel({ title, topic, unit, aside, class: name, children }: Pane
         {topic && <AgeChip topic={topic} />}
         {aside}
       </header>
-      {topic ? <Freshness topic={topic}>{children}</Freshness> : <div class="panel-body">{children}</div>}
+      {topic ? (
+        <Freshness topic={topic}>{children}</Freshness>
+      ) : (
+        <div class="panel-body" {...(scrolls ? { tabIndex: 0, role: "group", "aria-label": title } : {})}>
+          {children}
+        </div>
+      )}
     </section>
   );
 }

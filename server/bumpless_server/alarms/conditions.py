@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 from math import isfinite
-from typing import cast
+from typing import Any
 
 from google.protobuf.message import Message
 
@@ -11,6 +11,7 @@ from bumpless.contract.enums import FLYING, MOVING
 from bumpless_server.alarms.limits import Limits
 from bumpless_server.alarms.tracking import TrackingWatch
 
+CYCLE = ("navigation", "guidance", "supervisor", "control")
 WARNING, ALARM = pb.SEVERITY_WARNING, pb.SEVERITY_ALARM
 # a warning's event that a person must know of, by code; all alarms are
 LATCHED = ("fault_detected", "target_lost", "waved_off", "docking_ended", "node_elsewhere")
@@ -115,12 +116,11 @@ class Conditions:
             self._tracking.reset()
             self._saturated.clear()
             return
-        parts = [
-            self._last.get(f"tlm/{name}") for name in ("navigation", "guidance", "supervisor", "control")
-        ]
+        parts: Any = [self._last.get(f"tlm/{name}") for name in CYCLE]
         if any(part is None for part in parts):
             return
-        lasting = {off.name: off for off in self._tracking.cycle(*cast("list", parts), actuators)}
+        nav, guidance, supervisor, control = parts
+        lasting = {o.name: o for o in self._tracking.cycle(nav, guidance, supervisor, control, actuators)}
         for name in ("depth", "heading", "cross-track", "speed"):
             off = lasting.get(name)
             yield f"tracking_{name.replace('-', '_')}", None if off is None else (WARNING, off.text)

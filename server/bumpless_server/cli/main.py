@@ -8,6 +8,7 @@ from bumpless_server.cli import (
     envelope,
     metrics,
     repair,
+    report,
     reproduce,
     run,
     tune,
@@ -43,6 +44,7 @@ app.command()(campaign.campaign)
 app.command()(tune.tune)
 app.command()(metrics.metrics)
 app.command()(compare.compare)
+app.command()(report.report)
 app.command()(envelope.envelope)
 app.command()(repair.repair)
 app.command()(reproduce.reproduce)

@@ -42,6 +42,7 @@ def nominal(plan: Plan, request_id: int, elapsed_ms: float = 0.0) -> ForesightNo
         length_m=float(np.linalg.norm(np.diff(columns.eta[:, :3], axis=0), axis=1).sum()),
         sha256=mission.sha256,
         seed=mission.seed,
+        tuned=plan.tuned,
         digest=digest_of(columns),
         elapsed_ms=elapsed_ms,
     )

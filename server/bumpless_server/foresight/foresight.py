@@ -17,9 +17,8 @@ from contextlib import asynccontextmanager
 from pydantic import ValidationError
 
 from bumpless.campaign.summary import share_of
-from bumpless.config.vehicle import Vehicle
 from bumpless_server.foresight.crew import Worker
-from bumpless_server.foresight.job import Job
+from bumpless_server.foresight.job import Job, Present
 from bumpless_server.foresight.tasks import Head, Task
 from bumpless_server.foresight.told import ForesightDone, ForesightFailed
 from bumpless_server.foresight.wanted import ForesightRequest
@@ -62,7 +61,7 @@ class Client:
 class Foresight:
     """All planners and all workers. To be used on one loop; nothing runs before the first client comes."""
 
-    def __init__(self, present: Callable[[], Vehicle | None] = lambda: None, workers: int = WORKERS) -> None:
+    def __init__(self, present: Callable[[], Present] = Present, workers: int = WORKERS) -> None:
         self._present, self._most = present, workers
         self._clients: list[Client] = []
         self._workers: list[Worker] = []
@@ -93,8 +92,7 @@ class Foresight:
     def take(self, client: Client, request: ForesightRequest) -> None:
         """Give a client a new job in place of its old one."""
         self._drop(client)
-        vehicle = self._present()
-        client.job = Job(request, vehicle.text if vehicle is not None else "", self._numbers)
+        client.job = Job(request, self._present(), self._numbers)
         if len(self._workers) < self._most:
             self._begin()
         self._hand_out()

@@ -2,10 +2,12 @@
 
 from collections import Counter
 from collections.abc import Iterator
+from dataclasses import dataclass
 
 from pydantic import TypeAdapter
 
 from bumpless.campaign.summary import share_of
+from bumpless.config.vehicle import Vehicle
 from bumpless_server.foresight.tasks import Task
 from bumpless_server.foresight.told import ForesightChance, ForesightFan, ForesightFlight
 from bumpless_server.foresight.wanted import ForesightRequest
@@ -15,10 +17,23 @@ DOCKED = "docked"
 _FLIGHTS = TypeAdapter(list[ForesightFlight])
 
 
+@dataclass(frozen=True)
+class Present:
+    """The vehicle on the bus as it is now, which a mission of its name will be flown by."""
+
+    vehicle: Vehicle | None = None  # None: it has not described itself
+    tuned: bytes = b""  # what the operator tuned it with, a bumpless.Parameters; b"": nothing
+
+    @property
+    def toml(self) -> str:
+        """The vehicle's file."""
+        return self.vehicle.text if self.vehicle is not None else ""
+
+
 class Job:
     """A request and its tasks, in the order in which they are done: nominal, findings, then the fan."""
 
-    def __init__(self, request: ForesightRequest, present: str, numbers: Iterator[int]) -> None:
+    def __init__(self, request: ForesightRequest, present: Present, numbers: Iterator[int]) -> None:
         self.request = request
         self._present, self._numbers = present, numbers
         self._next = 0  # flight to ask for
@@ -68,4 +83,5 @@ class Job:
     def _task(self, kind: str, **more: int) -> Task:
         self._open += 1
         told = {"number": next(self._numbers), "kind": kind, "request": self.request}
-        return Task.model_validate({**told, "present": self._present, **more})
+        present = {"present": self._present.toml, "tuned": self._present.tuned.hex()}
+        return Task.model_validate({**told, **present, **more})

@@ -2,13 +2,22 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import Any
 
 from bumpless.campaign.parameter_path import changes_of
 from bumpless.config.mission import Mission, parse_mission
-from bumpless.config.parameters import ParameterError, Parameters, check, default_parameters, with_overrides
+from bumpless.config.parameters import (
+    ParameterError,
+    Parameters,
+    check,
+    default_parameters,
+    from_message,
+    with_overrides,
+)
 from bumpless.config.problems import Problem
-from bumpless.config.vehicle import Vehicle, VehicleError, load_vehicle
+from bumpless.config.vehicle import Vehicle, load_vehicle
+from bumpless.contract import bumpless_pb2 as pb
 from bumpless_server.foresight.wanted import ForesightRequest
 from bumpless_server.plan.missions import parse_planned
 
@@ -22,10 +31,13 @@ class Plan:
     mission: Mission
     vehicle: Vehicle
     parameters: Parameters
+    tuned: bool = False  # by an operator: not with the vehicle's defaults
 
 
-def plan_of(request: ForesightRequest, present: Vehicle | None = None) -> Plan:
+def plan_of(request: ForesightRequest, present: Vehicle | None = None, tuned: bytes = b"") -> Plan:
     """The plan; `present` is the vehicle on the bus, which may be none of ours.
+
+    tuned: the bumpless.Parameters that it is tuned with, under the mission's own; b"": its defaults.
 
     Raises MissionError, VehicleError or ParameterError with every problem.
     """
@@ -39,22 +51,25 @@ def plan_of(request: ForesightRequest, present: Vehicle | None = None) -> Plan:
     if wanted.current is not None:
         sea = replace(mission.environment, current_ned_mps=wanted.current)
         mission = replace(mission, environment=sea)
-    parameters = with_overrides(default_parameters(vehicle), mission.parameters)
+    base = default_parameters(vehicle)
+    is_tuned = bool(tuned) and present is not None and present.id == vehicle.id
+    if is_tuned:
+        base = from_message(pb.Parameters.FromString(tuned), base)
+    parameters = with_overrides(base, mission.parameters)
     if wanted.parameters:
         parameters = _overridden(parameters, wanted.parameters, vehicle)
     seed = mission.seed if request.seed is None else request.seed
-    return Plan(replace(mission, seed=seed), vehicle, parameters)
+    return Plan(replace(mission, seed=seed), vehicle, parameters, is_tuned)
 
 
 def _vehicle(name: str, present: Vehicle | None) -> Vehicle:
-    try:
-        return load_vehicle(name)
-    except (VehicleError, OSError) as error:
-        if present is not None and present.id == name:
-            return present
-        if isinstance(error, VehicleError):
-            raise
-        raise VehicleError([Problem("", None, None, "vehicle", name, "no such vehicle")]) from error
+    """The vehicle on the bus where it is the one: it may differ from our file of its name."""
+    return present if present is not None and present.id == name else _shipped(name)
+
+
+@lru_cache(maxsize=16)
+def _shipped(name: str) -> Vehicle:
+    return load_vehicle(name)
 
 
 def _overridden(parameters: Parameters, values: Mapping[str, Any], vehicle: Vehicle) -> Parameters:

@@ -21,6 +21,7 @@ class Task(BaseModel):
     kind: Kind
     request: ForesightRequest | None = None
     present: str = ""  # the vehicle on the bus, TOML; "" when it has not described itself
+    tuned: str = ""  # what the operator tuned it with: a bumpless.Parameters in hex
     first: int = 0  # of a fan's flights
     count: int = 0
 

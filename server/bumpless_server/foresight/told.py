@@ -124,6 +124,7 @@ class ForesightNominal(Told):
     length_m: float  # of the way flown
     sha256: str  # of the text's bytes
     seed: int
+    tuned: bool  # flown with what the operator tuned the vehicle with, not with its defaults
     digest: str  # of every logged column: what another flight of the plan is compared with
     elapsed_ms: float  # from the request's arrival in the worker to this message
 

@@ -6,6 +6,7 @@ from functools import lru_cache
 
 from bumpless.campaign.flight import Hangar
 from bumpless.campaign.ready import ready
+from bumpless.config.mission import missions_folder
 from bumpless.config.problems import Problem, ProblemsError
 from bumpless.config.vehicle import Vehicle, VehicleError, parse_vehicle
 from bumpless_server.foresight import fan
@@ -14,6 +15,7 @@ from bumpless_server.foresight.forecast import nominal
 from bumpless_server.foresight.plan import Plan, plan_of
 from bumpless_server.foresight.tasks import Task, Told
 from bumpless_server.foresight.told import ForesightFindings, ForesightProblem, ForesightProblems
+from bumpless_server.foresight.wanted import ForesightRequest
 
 LONGEST_S = 3600.0  # of a mission: its log must fit into memory
 Answer = tuple[Told, str]  # kind and body
@@ -39,6 +41,7 @@ class Work:
         begun = time.perf_counter()
         ready()
         if task.kind == "warm" or task.request is None:
+            self._warm()
             return
         try:
             plan = self._planned(task)
@@ -62,6 +65,14 @@ class Work:
             return
         yield "flights", self._flights(task, plan)
 
+    def _warm(self) -> None:
+        """Go once over all that a planner asks for: what is loaded late is loaded now."""
+        text = (missions_folder() / "docking.yaml").read_text(encoding="utf-8")
+        plan = plan_of(ForesightRequest.model_validate({"id": 0, "text": text}))
+        findings_of(plan.mission, plan.vehicle)
+        nominal(plan, 0)
+        list(fan.fly(fan.prepared(plan), 0, 1, self._hangar))
+
     def _flights(self, task: Task, plan: Plan) -> str:
         assert task.request is not None
         flown = []
@@ -78,9 +89,9 @@ class Work:
     def _planned(self, task: Task) -> Plan:
         """The plan of a task; the same object for the same text, so that a fan keeps its twin."""
         assert task.request is not None
-        key = task.request.model_dump_json(exclude={"id", "flights"}) + task.present
+        key = task.request.model_dump_json(exclude={"id", "flights"}) + task.present + task.tuned
         if self._plan is None or self._plan[0] != key:
-            self._plan = key, plan_of(task.request, _present(task.present))
+            self._plan = key, plan_of(task.request, _present(task.present), bytes.fromhex(task.tuned))
         return self._plan[1]
 
 

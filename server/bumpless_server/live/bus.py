@@ -1,6 +1,8 @@
 """The server's Zenoh session: hears one vehicle and asks it; callbacks only enqueue."""
 
+import contextlib
 import logging
+import time
 from collections.abc import Callable
 from typing import Any
 
@@ -83,6 +85,17 @@ class Bus:
             raise NoAnswer("the bus is closed")
         question = Question(self.vehicle_id, verb, header.id, self._speaker.session, self._foreign_reply)
         return question.ask(session, request, header, timeout_s)
+
+    def beat(self) -> None:
+        """Say that a console is there; never waits."""
+        session = self._session
+        if session is None:
+            return
+        beat = pb.Heartbeat(time_ns=time.time_ns(), session_id=str(session.zid()))
+        with contextlib.suppress(zenoh.ZError):
+            session.put(
+                keys.heartbeat(self.vehicle_id), beat.SerializeToString(), encoding=keys.encoding_of(beat)
+            )
 
     def _foreign_reply(self, verb: str, session_id: str) -> None:
         self._tally.note("foreign_reply", f"'{verb}' by session {session_id or 'unnamed'}")

@@ -24,6 +24,14 @@ class Tuned:
             self._chosen = parameters
             self._session = self._present()
 
+    def present(self) -> pb.Parameters | None:
+        """What the operator tuned the present vehicle with; None where that is its defaults."""
+        status = self._state.latest("parameters")
+        with self._lock:
+            chosen = self._chosen
+        defaults = status.defaults if isinstance(status, pb.ParametersStatus) else None
+        return None if chosen is None or chosen == defaults else chosen
+
     def forgotten(self) -> pb.Parameters | None:
         """What the node of before was tuned with, when the present one is another; asked once of each."""
         with self._lock:

@@ -30,7 +30,9 @@ from bumpless_server.web.routes import (
     parameters,
     planning,
     replay,
+    report,
     runs,
+    shelf,
     status,
     stream,
 )
@@ -52,7 +54,9 @@ ROUTERS = tuple(
         declared,
         compare,
         replay,
+        report,
         runs,
+        shelf,
         stream,
         foresight,
     )

@@ -138,10 +138,12 @@ def test_it_ends_when_the_reader_of_its_words_is_gone(make_settings: Callable[..
         RUN, env=environment(settings), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
     )
     try:
+        assert process.stdout is not None
         running = Server(process)
+        while not running.words.startswith("Bumpless is at"):  # the log comes the same way
+            running = Server(process)
         running.until_said("tlm/mission", pb.MissionStatus, lambda _: True)
         node = psutil.Process(node_pid(settings))
-        assert process.stdout is not None
         process.stdout.close()
         process.send_signal(signal.SIGINT)
         assert process.wait(PATIENCE_S) == 0

@@ -13,6 +13,7 @@ from typer.testing import CliRunner
 import bumpless
 from bumpless.campaign.flight import Hangar, fly_number
 from bumpless.config.mission import missions_folder, parse_mission
+from bumpless.config.parameters import default_parameters, to_message, with_overrides
 from bumpless_server.cli.main import app
 from bumpless_server.foresight import fan
 from bumpless_server.foresight.forecast import digest_of
@@ -179,3 +180,18 @@ def test_a_plan_keeps_its_text(tmp_path: Path) -> None:
     plan = plan_of(request)
     assert plan.mission.sha256 == parse_mission(request.text.encode()).sha256
     assert plan.mission.environment == replace(plan.mission.environment, current_ned_mps=(0.1, 0.0, 0.0))
+
+
+def test_a_tuned_vehicle_is_foreseen_as_it_is_tuned() -> None:
+    """Protects: the forecast takes what the vehicle will fly with, under the mission's own parameters, and
+    defaults stay equal to the bit on their way through the contract."""
+    vehicle = bumpless.load_vehicle("ts100")
+    own = default_parameters(vehicle)
+    request = ForesightRequest.model_validate({"id": 1, "text": DOCKING})
+    tuned = to_message(with_overrides(own, {"hover": {"lambda": 0.033}}))
+    plan = plan_of(request, vehicle, tuned.SerializeToString())
+    assert plan.tuned and plan.parameters != plan_of(request, vehicle).parameters
+    same = plan_of(request, vehicle, to_message(own).SerializeToString())
+    assert same.parameters == plan_of(request).parameters
+    other = plan_of(request, bumpless.load_vehicle("remus100"), tuned.SerializeToString())
+    assert not other.tuned and other.parameters == plan_of(request).parameters

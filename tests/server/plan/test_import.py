@@ -4,6 +4,7 @@ The files in `foreign` were written for these tests, in the formats that their p
 """
 
 import io
+import math
 import time
 import zipfile
 from pathlib import Path
@@ -52,7 +53,13 @@ def test_a_plan_says_item_by_item_what_became_of_it() -> None:
     assert mission.legs[1].to_ned_m[0] == pytest.approx(22.24, abs=0.01)  # 0.0002 deg of latitude
     left, carried = _left(found), [item for item in found.items if item.carried]
     assert "DO_SET_CAM_TRIGG_DIST" in left and "NAV_RETURN_TO_LAUNCH" in left
-    assert "geofence circle 1" in left and "rally point 1" in left
+    assert "rally point 1" in left
+    assert any(item.what == "geofence circle 1" and "keep-in" in item.note for item in carried)
+    assert mission.keep_in is not None and len(mission.keep_out) == 1
+    assert all(
+        math.hypot(c.north_m, c.east_m) == pytest.approx(90.0, abs=0.05) for c in mission.keep_in.corners
+    )
+    assert mission.keep_out[0].corners[0].north_m == pytest.approx(33.36, abs=0.01)
     assert any("hold of 12 s" in item.note for item in carried)
     assert any("loitering for a time" in item.note for item in carried)
 

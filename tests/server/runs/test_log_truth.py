@@ -72,6 +72,5 @@ def test_an_ousted_nodes_run_is_not_listed_as_complete(
     bench.hear("navigation", 2)
     bench.hear("mission", 3, session="b", phase=pb.MISSION_PHASE_COMPLETED, run_id="run-1")
     bench.recorder._close()
-    (path,) = bench.closed
-    run = summarise(path)
+    run = summarise(bench.closed[0])
     assert (run.state, run.end_reason) == ("interrupted", "another session speaks for the vehicle")

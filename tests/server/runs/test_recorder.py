@@ -195,3 +195,25 @@ def test_without_room_nothing_is_written_and_recording_goes_on_when_there_is_som
     assert disk.recorder.recording is None
     (run,) = disk.finished()
     assert (run.state, run.end_reason) == ("interrupted", "runs take 20 MB of the 20 MB they may")
+
+
+def test_a_hold_after_the_mission_is_a_piece_of_its_own_one_cycle_a_second(tmp_path: Path) -> None:
+    """Protects: after "Completed" thrusters ran on, unrecorded. The run has its end at once; the hold goes on
+    until the vehicle is stopped, without filling the disk."""
+    disk = Disk(tmp_path)
+    offer = disk.recorder.offer
+    offer(status(1, pb.MISSION_PHASE_RUNNING))
+    for cycle in range(2, 42):
+        offer(sample("navigation", cycle))
+    offer(status(41, pb.MISSION_PHASE_COMPLETED, elapsed=2.0, reason="over"))
+    for cycle in range(42, 442):
+        offer(sample("navigation", cycle))
+        if cycle % 10 == 0:
+            offer(status(cycle, pb.MISSION_PHASE_COMPLETED, elapsed=2.0, reason="over"))
+    offer(status(442, pb.MISSION_PHASE_ABORTED, elapsed=2.0, reason="stopped"))
+    run, hold = disk.finished()
+    assert (run.id, run.state, run.end_reason) == ("run-1", "complete", "over")
+    assert (hold.id, hold.run_id, hold.state) == ("run-1.2", "run-1", "complete")
+    kept = [r for _, r in log_messages(tmp_path / "run-1.2.mcap", {"tlm/navigation"})]
+    whole = [r for _, r in log_messages(tmp_path / "run-1.mcap", {"tlm/navigation"})]
+    assert len(whole) == 40 and 18 <= len(kept) <= 21

@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
+from bumpless.campaign.drawn_parts import drawn_errors, drawn_motion, drawn_water, filled
 from bumpless.config.mission import Mission
 from bumpless.config.mission.model import Environment, Fault
 from bumpless.config.mission.sea import CurrentVariation, Wave
@@ -23,8 +24,8 @@ def drawn_mission(mission: Mission, values: Values) -> Mission:
     mission = replace(mission, target=_target(mission, values), start=_start(mission, values))
     return replace(
         mission,
-        environment=_environment(mission, values),
-        sensors=_sensors(mission, values),
+        environment=drawn_water(_environment(mission, values), values),
+        sensors=drawn_errors(_sensors(mission, values), values),
         faults=_faults(mission, values),
     )
 
@@ -59,13 +60,13 @@ def _environment(mission: Mission, values: Values) -> Environment:
         north, east = _ned(values["current_speed_mps"], 0.0, heading + values["current_relative_deg"])
     more = _ned(values.get("current_along_mps", 0.0), values.get("current_across_mps", 0.0), heading)
     sea = replace(sea, current_ned_mps=(north + more[0], east + more[1], down))
-    variation = _filled(
+    variation = filled(
         sea.current_variation or _VARIATION,
         values,
         std_mps="current_variation_mps",
         time_constant_s="current_variation_time_s",
     )
-    wave = _filled(sea.wave or _WAVE, values, height_m="wave_height_m", period_s="wave_period_s")
+    wave = filled(sea.wave or _WAVE, values, height_m="wave_height_m", period_s="wave_period_s")
     if "wave_relative_deg" in values:
         wave = replace(wave, direction_deg=(heading + values["wave_relative_deg"]) % 360.0)
     return replace(
@@ -75,12 +76,6 @@ def _environment(mission: Mission, values: Values) -> Environment:
     )
 
 
-def _filled(part: Any, values: Values, **names: str) -> Any:
-    """The part with its fields from the draw; the same object when none is drawn."""
-    found = {field: values[name] for field, name in names.items() if name in values}
-    return replace(part, **found) if found else part
-
-
 def _target(mission: Mission, values: Values) -> Any:
     target = mission.target
     if "target_turn_deg" in values:
@@ -88,7 +83,7 @@ def _target(mission: Mission, values: Values) -> Any:
     along, across, down = (values.get(f"target_{axis}", 0.0) for axis in ("along_m", "across_m", "down_m"))
     north, east = _ned(along, across, target.heading_deg)
     n, e, d = target.true_offset_ned_m
-    return replace(target, true_offset_ned_m=(n + north, e + east, d + down))
+    return drawn_motion(replace(target, true_offset_ned_m=(n + north, e + east, d + down)), values)
 
 
 def _start(mission: Mission, values: Values) -> Any:
@@ -106,7 +101,7 @@ def _start(mission: Mission, values: Values) -> Any:
 
 def _sensors(mission: Mission, values: Values) -> Any:
     sensors = mission.sensors
-    detection = _filled(
+    detection = filled(
         sensors.detection or Detection(),
         values,
         range_max_m="detection_range_m",
@@ -129,7 +124,7 @@ def _faults(mission: Mission, values: Values) -> tuple[Fault, ...]:
     if not any(name in values for name in names.values()):
         return mission.faults
     if mission.faults:
-        return (_filled(mission.faults[0], values, **names), *mission.faults[1:])
+        return (filled(mission.faults[0], values, **names), *mission.faults[1:])
     missing = [name for name in _FAULT if name not in values]
     if missing:
         raise ValueError(f"a mission without a fault needs all of {', '.join(_FAULT)}")

@@ -35,6 +35,15 @@ QUANTITIES: dict[str, Quantity] = {
     "wave_height_m": Quantity("m", "height of the wave", 0.0, 20.0),
     "wave_period_s": Quantity("s", "its period", 1.0, 60.0),
     "wave_relative_deg": Quantity("deg", "where it travels to, from the approach heading", -360.0, 360.0),
+    "attenuation_per_m": Quantity("1/m", "turbidity: beam attenuation of the water", 0.0, 50.0),
+    "water_depth_m": Quantity("m", "depth of the bottom; 0: always in reach of the Doppler log", 0.0, 11e3),
+    "shelter_width_m": Quantity("m", "width of the dock across the current, for its wake", 0.05, 100.0),
+    "shelter_turbulence": Quantity("1", "eddies, as a share of the current taken away", 0.0, 2.0),
+    # a hung dock, in place of the mission's motion; 8 s where the mission says no period
+    "dock_heave_m": Quantity("m", "amplitude of the dock's heave", 0.0, 10.0),
+    "dock_sway_m": Quantity("m", "amplitude of its sway across the approach", 0.0, 10.0),
+    "dock_period_s": Quantity("s", "its period", 1.0, 1e4),
+    "dock_phase_deg": Quantity("deg", "its phase at the start", -360.0, 360.0),
     # target: where it truly is, and the approach heading that the vehicle is told
     "target_along_m": Quantity("m", "true target from the planned one, along the approach", -100.0, 100.0),
     "target_across_m": Quantity("m", "true target from the planned one, across", -100.0, 100.0),
@@ -52,6 +61,18 @@ QUANTITIES: dict[str, Quantity] = {
     "depth_bias_std_m": Quantity("m", "deviation from which a run's depth bias is drawn", 0.0, 100.0),
     "detection_range_m": Quantity("m", "farthest detection of the target", 0.1, 200.0),
     "detection_dropout": Quantity("1", "share of camera frames missed", 0.0, 1.0),
+    "detection_latency_s": Quantity("s", "from a camera frame to its sight", 0.0, 5.0),
+    "detection_outliers": Quantity("1", "share of camera frames with a false sight", 0.0, 1.0),
+    "marker_angle_deg": Quantity("deg", "farthest off the marker's normal at which it is seen", 1.0, 180.0),
+    "heading_drift_degprth": Quantity("deg/√h", "random walk of the heading", 0.0, 1000.0),
+    "roll_pitch_bias_deg": Quantity(
+        "deg", "deviation from which biases of roll and pitch are drawn", 0.0, 20.0
+    ),
+    "dvl_scale_error": Quantity("1", "deviation of the Doppler log's scale", 0.0, 0.5),
+    "dvl_water_bias_mps": Quantity("m/s", "deviation of water track's biases", 0.0, 1.0),
+    "dvl_dropout": Quantity("1", "share of the Doppler log's pings missed", 0.0, 1.0),
+    "dvl_outage_at_s": Quantity("s", "the bottom is lost from here on", 0.0, 1e5),
+    "dvl_outage_length_s": Quantity("s", "for this long", 0.0, 1e5),
     "outage_at_s": Quantity("s", "the target is not seen from here on", 0.0, 1e5),
     "outage_length_s": Quantity("s", "for this long", 0.0, 1e5),
     # fault of one actuator: of the mission's first one what is drawn, or all four of a new one
@@ -79,6 +100,7 @@ NAMES = ("fault_actuator",)  # drawn from names, not numbers
 TOGETHER = (
     ("current_speed_mps", "current_relative_deg"),
     ("outage_at_s", "outage_length_s"),
+    ("dvl_outage_at_s", "dvl_outage_length_s"),
     ("ballast_n", "ballast_x_m"),
 )
 EITHER = (("current_speed_mps", "current_along_mps"), ("current_speed_mps", "current_across_mps"))

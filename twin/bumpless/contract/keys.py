@@ -89,6 +89,11 @@ def command(vehicle: str, verb: str) -> str:
     return f"{ROOT}/{vehicle}/cmd/{verb}"
 
 
+def heartbeat(vehicle: str) -> str:
+    """Key on which consoles say that they are there."""
+    return f"{ROOT}/{vehicle}/heartbeat"
+
+
 def alive(vehicle: str) -> str:
     """Key of the liveliness token."""
     return f"{ROOT}/{vehicle}/alive"

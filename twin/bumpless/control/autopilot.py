@@ -206,7 +206,7 @@ def pose(settings, s, out):
     """Fill the PROBLEM but for its bounds and tau_d, from what is in force. s: STATE; out: OUTPUT."""
     p, now = out.problem, s.switching.now
     p.dt, p.warm, p.refused = settings.dt, settings.bumpless.project, s.allocation.refused
-    p.lam, p.increment_price = now.lam, out.switching.increment_price
+    p.lam, p.increment_price, p.fin_rate = now.lam, out.switching.increment_price, 0.0
     see_flow(settings.guidance, s.navigation.smooth_nu_r, out.navigation.nu_flow)
     for k in range(6):
         p.nu_flow[k] = out.navigation.nu_flow[k]
@@ -228,6 +228,7 @@ def command(handle, onboard):
     step_share = out.switching.step_share
     if settings.docking.enabled == 1:
         view = out.docking
+        p.fin_rate = 0.0 if out.situation.mode == FORWARD else settings.docking.fin_rate
         weigh_slow_moments(settings.docking, p, s.docking)
         leave_heave_to_pitch(model, p, now.tau_d, view, s.docking)
         allocate(handle, settings.allocation, model, view.asked, step_share, surge, p, solution, w)

@@ -8,6 +8,7 @@ from bumpless.feasibility.finding import Finding
 from bumpless.feasibility.holding import check_station
 from bumpless.feasibility.path import check_end, check_legs, check_time
 from bumpless.feasibility.sight import check_first_sight, check_sight
+from bumpless.feasibility.zones import check_zones
 
 
 def check_mission(mission: Mission, vehicle: Vehicle | None = None) -> tuple[Finding, ...]:
@@ -18,6 +19,7 @@ def check_mission(mission: Mission, vehicle: Vehicle | None = None) -> tuple[Fin
         *check_legs(mission, vehicle, parameters),
         *check_time(mission, vehicle, parameters),
         *check_end(mission),
+        *check_zones(mission),
         *check_dock(mission, vehicle, parameters),
         *check_sight(mission, vehicle, parameters),
         *check_first_sight(mission, vehicle, parameters),

@@ -116,6 +116,16 @@ class Flight:
             accepted=False, reason=reason, problems=problems, revision=self.state.revision, cause=cause
         )
 
+    def lose_heartbeat(self, silent_s: float, reaction: str) -> pb.CommandReply:
+        """No console for so long: do what the vehicle's file declares, and put it on record."""
+        if self.twin.phase != RUNNING:
+            return self._done("no mission is running")
+        does = "holds station" if reaction == "hold" else "aborts its mission"
+        text = f"No word from the console for {silent_s:.1f} s: the vehicle {does}, as its file declares."
+        details = {"silent_s": f"{silent_s:.1f}", "reaction": reaction}
+        self._events.append(TwinEvent(ALARM, "failsafe", text, details, self._time_s))
+        return self.pause() if reaction == "hold" else self.abort("the console's heartbeat was lost")
+
     def warn_of_rival(self, reason: str) -> pb.CommandReply:
         """Put on record that another node speaks for this vehicle while it flies."""
         text = f"Another node claims this vehicle; this one flies on: {reason}."

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import zenoh
 
+from bumpless.config.vehicle.failsafe import Failsafe
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract import keys
 from bumpless.contract.enums import FLYING
@@ -18,6 +19,7 @@ from bumpless.node.claim import Claim
 from bumpless.node.commands import Commander
 from bumpless.node.flight import Flight, TwinLike
 from bumpless.node.health import HealthReport
+from bumpless.node.heartbeat import Heartbeat
 from bumpless.node.loop import ControlLoop, Handoff
 from bumpless.node.pacing import FreeClock, WallClock
 from bumpless.node.publisher import BusWriter, Publisher
@@ -49,6 +51,9 @@ class Node:
         ring = Ring(lossless=not realtime)
         self._flight = flight = Flight(twin)
         self._told_of_rival = False
+        # in virtual time seconds mean nothing to a console
+        self._heartbeat = Heartbeat(vehicle.failsafe if realtime else Failsafe())
+        self._reaction = vehicle.failsafe.heartbeat_lost
         self._loop = ControlLoop(flight, clock, ring)
         teller = Teller(
             replace(vehicle, id=name),
@@ -96,12 +101,20 @@ class Node:
         self._loop.stop(self._stop.reason)
         thread.join()
         self._publisher.join()
-        for queryable in held:
-            queryable.undeclare()
+        for one in held:
+            one.undeclare()
         self._commander.close()
         return self._loop.fault
 
     def _look_at(self, claim: Claim) -> None:
+        """What the bus must not wait for: the console's silence, an older node."""
+        lost_s = self._heartbeat.lost_s(self._flight.twin.phase)
+        if lost_s is not None:
+            does = self._reaction
+            self._loop.submit(Handoff("failsafe", lambda flight: flight.lose_heartbeat(lost_s, does)))
+        self._look_for_rivals(claim)
+
+    def _look_for_rivals(self, claim: Claim) -> None:
         """Give way to an older node, but never in flight: then it is said, and settled afterwards."""
         reason = claim.contested()
         if reason is None:
@@ -115,7 +128,7 @@ class Node:
     def _ended(self) -> None:
         self._stop("the control loop has ended", FAILED)
 
-    def _serve(self) -> list[zenoh.Queryable[None]]:
+    def _serve(self) -> "list[zenoh.Queryable[None] | zenoh.Subscriber[None]]":
         schema_key, contract = keys.schema(self._name), descriptor_set(pb.Stamp)
 
         def tell_schema(query: zenoh.Query) -> None:
@@ -124,6 +137,9 @@ class Node:
 
         return [
             self._session.declare_queryable(schema_key, tell_schema, complete=True),
+            self._session.declare_subscriber(
+                keys.heartbeat(self._name), lambda _sample: self._heartbeat.beat()
+            ),
             self._session.declare_queryable(
                 keys.command(self._name, "*"), self._commander.enqueue, complete=True
             ),

@@ -9,7 +9,7 @@ from bumpless.config.capacity import MAX_ACTUATORS as _n
 from bumpless.jit import jit
 from bumpless.jit.memory import floats
 from bumpless.physics.actuators import lag_rate, total_wrench
-from bumpless.physics.dock.latch import close_latch, feel_dock
+from bumpless.physics.dock.latch import can_touch, close_latch, feel_dock
 from bumpless.physics.dynamics import body_acceleration, displaced_water_force
 from bumpless.physics.faults import blend_faults
 from bumpless.physics.frames import body_to_ned, euler_rates, ned_to_body
@@ -63,7 +63,7 @@ def state_rate(model, environment, gust, effectiveness, time, x, command, rate):
     nu_c_dot[2] -= nu[3] * body[1] - nu[4] * body[0]
     for k in range(6):
         tau[k] += environment.tau_e[k]
-    if environment.dock.present == 1:
+    if can_touch(environment.dock, model.rings, eta):
         feel_dock(environment.dock, model.rings, eta, nu, time, tau)
     body_acceleration(model, eta, nu, nu_r, nu_c_dot, tau, force, rate[6:12])
     body_to_ned(phi, theta, psi, nu, rate)

@@ -2,7 +2,9 @@
 
 from array import array
 from collections.abc import Callable, Iterable
+from contextlib import suppress
 from dataclasses import dataclass
+from math import isfinite
 from pathlib import Path
 from typing import Any
 
@@ -47,9 +49,15 @@ class _Column:
     def __init__(self) -> None:
         self.cycles, self.values = array("q"), array("d")
 
-    def add(self, cycle: int, numbers: Iterable[float]) -> None:
+    def add(self, cycle: int, numbers: Iterable[float], finite: bool) -> None:
+        """Take in a message; an odd one (of another width, with a number that is none) is a missing one."""
+        row = array("d", numbers)
+        if self.cycles and len(row) * len(self.cycles) != len(self.values):
+            return
+        if finite and not all(map(isfinite, row)):
+            return
         self.cycles.append(cycle)
-        self.values.extend(numbers)
+        self.values.extend(row)
 
     def table(self) -> tuple[np.ndarray, np.ndarray]:
         """Cycles (m,), ascending and each once, and rows (m, width)."""
@@ -80,7 +88,8 @@ def read_columns(path: Path) -> RecordedColumns:
         elif topic == PLAN:
             plan = message
         else:
-            columns[topic].add(message.stamp.cycle, _NUMBERS[topic](message))
+            with suppress(KeyError, ValueError, OverflowError):  # a unit or a count of another contract
+                columns[topic].add(message.stamp.cycle, _NUMBERS[topic](message), topic != TRUTH)
     return RecordedColumns(_joined(columns), vehicle, status, plan)
 
 

@@ -67,9 +67,10 @@ export function Field({ field, path }: { field: FieldEntry; path: Path }) {
       );
     case "text":
       return (
-        <Labelled field={field}>
+        <div class="field-block">
+          <span class="field-label">{field.label}</span>
           <TextField field={field} path={path} />
-        </Labelled>
+        </div>
       );
   }
 }
@@ -199,6 +200,7 @@ function TextField({ field, path }: { field: FieldEntry; path: Path }) {
     <input
       aria-label={`${field.label}, ${fieldOf(path)}`}
       title={field.help || field.form || undefined}
+      list={field.path === "vehicle" ? "plan-vehicles" : undefined}
       value={typeof value === "string" ? value : value === undefined || value === null ? "" : String(value)}
       onInput={(event) => {
         const text = event.currentTarget.value;

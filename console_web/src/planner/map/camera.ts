@@ -4,12 +4,13 @@ import { plan } from "../fly/forecast";
 import { along, type Ned } from "../model/geometry";
 import { mission } from "../model/plan";
 import { dockUp } from "./tools";
-import { fitted, type Size, type Viewport } from "./viewport";
+import { fitted, panned, type Size, type Viewport } from "./viewport";
 
 export const size = signal<Size>({ width: 0, height: 0 });
 const MARGIN = 80; // px
+const HEAD_PX = 44; // for the line that says what to do next
 const LEAST_M = 16;
-const ROOM_M = 24; // ahead of a vehicle without a way
+const ROOM_M = 40; // ahead of a vehicle without a way
 
 const unturned = signal<Viewport>({ x: 0, y: 8, sx: 18, sy: 18, turn: 0 });
 const turnOf = (): number =>
@@ -35,5 +36,8 @@ export function showAll(): void {
   const track = plan.current.peek() ? plan.forecast.peek()?.nominal?.track : undefined;
   const flown = track?.north_m.map((n, i) => [track.east_m[i] ?? 0, n] as const) ?? [];
   const shown = [...points.map(([n, e]) => [e, n] as const), ...flown];
-  unturned.value = fitted(shown, size.peek(), MARGIN, viewport.peek().turn, [LEAST_M, LEAST_M]);
+  const { width, height } = size.peek();
+  const below = { width, height: height - HEAD_PX };
+  const whole = fitted(shown, below, MARGIN, viewport.peek().turn, [LEAST_M, LEAST_M]);
+  unturned.value = panned(whole, size.peek(), 0, HEAD_PX / 2);
 }

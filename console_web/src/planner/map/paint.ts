@@ -17,6 +17,8 @@ export interface Scene {
   nominal: Nominal | undefined;
   flights: readonly Flight[];
   picked: Flight | undefined;
+  /** The way of the what-if variant. */
+  variant: Nominal | undefined;
   /** The forecast is of an older text. */
   stale: boolean;
   vehicle: { north: number; east: number; heading: number } | undefined;
@@ -39,6 +41,11 @@ export function paintPlan(c: Ctx, s: Scene): void {
   paintFan(c, s);
   paintWay(c, s);
   paintTrack(c, s);
+  if (s.variant) {
+    c.setLineDash([9, 4]);
+    paintLine(c, s, s.variant.track.north_m, s.variant.track.east_m, colour("--reference"), 2);
+    c.setLineDash([]);
+  }
   if (s.picked) paintLine(c, s, s.picked.north_m, s.picked.east_m, colour("--alarm"), 2);
   if (s.view.dock) paintDock(c, s, s.view.dock);
   paintStart(c, s);
@@ -97,22 +104,34 @@ function paintGrid(c: Ctx, s: Scene): void {
   }
 }
 
-function ring(c: Ctx, s: Scene, at: Ned, metres: number, stroke: string, dash: number[], label = ""): void {
+interface Ring {
+  at: Ned;
+  metres: number;
+  ink: string;
+  dash: number[];
+  label: string;
+  /** Heading from the middle at which the label stands. */
+  towards: number;
+}
+
+function ring(c: Ctx, s: Scene, { at, metres, ink, dash, label, towards }: Ring): void {
   const [x, y] = px(s, at);
   const radius = metres * s.viewport.sx;
   if (radius < 3) return;
-  c.strokeStyle = stroke;
+  c.strokeStyle = colour(ink);
   c.lineWidth = 1;
   c.setLineDash(dash);
   c.beginPath();
   c.arc(x, y, radius, 0, TAU);
   c.stroke();
   c.setLineDash([]);
-  if (!label || radius < 34) return;
+  if (radius < 34) return;
+  const way = angle(s, towards);
+  const [lx, ly] = [x + (radius + 5) * Math.cos(way), y + (radius + 5) * Math.sin(way)];
   c.font = font("--text-2xs");
-  c.fillStyle = stroke;
-  c.textAlign = "center";
-  c.fillText(label, x, y - radius - 3);
+  c.fillStyle = colour(ink);
+  c.textAlign = Math.cos(way) < 0 ? "right" : "left";
+  c.fillText(label, lx, ly + 3);
 }
 
 /** Angle on the canvas of a heading. */
@@ -153,11 +172,19 @@ function paintDockZones(c: Ctx, s: Scene, wanted: NonNullable<MissionView["dock"
         "--accent",
       );
     if (f.docks) {
-      ring(c, s, dock.at, f.keepOut, colour("--alarm"), [6, 5], `keep out ${f.keepOut} m`);
+      const label = `keep out ${f.keepOut} m`;
+      const towards = dock.heading + 60;
+      ring(c, s, { at: dock.at, metres: f.keepOut, ink: "--alarm", dash: [6, 5], label, towards });
       paintCone(c, s, dock, end, f);
     }
-    ring(c, s, end, f.thresholds.rh, colour("--mode-hover"), [3, 4], `hover ${f.thresholds.rh} m`);
-    ring(c, s, end, f.thresholds.fr, colour("--mode-reverse"), [3, 4], `reverse ${f.thresholds.fr} m`);
+    const rings = [
+      { metres: f.thresholds.rh, ink: "--mode-hover", word: "hover" },
+      { metres: f.thresholds.fr, ink: "--mode-reverse", word: "reverse" },
+    ];
+    for (const { metres, ink, word } of rings) {
+      const label = `${word} ${metres} m`;
+      ring(c, s, { at: end, metres, ink, dash: [3, 4], label, towards: dock.heading - 60 });
+    }
   }
   if (dock.tolerance > 0 && dock.tolerance < 180 && !dock.intoCurrent) {
     const t = (dock.tolerance * Math.PI) / 180;
@@ -502,7 +529,7 @@ function paintDial(c: Ctx, s: Scene): void {
   c.fillStyle = colour("--panel");
   c.globalAlpha = 0.85;
   c.beginPath();
-  c.arc(x, y, radius + 12, 0, TAU);
+  c.arc(x, y, radius + 14, 0, TAU);
   c.fill();
   c.globalAlpha = 1;
   c.strokeStyle = colour(on ? "--accent" : "--line-2");
@@ -526,9 +553,9 @@ function paintDial(c: Ctx, s: Scene): void {
   c.fillStyle = colour("--ink");
   c.font = font("--text-2xs", 600);
   c.textAlign = "center";
-  c.fillText(speed > 1e-6 ? `current ${speed.toFixed(2)} m/s` : "no current", x, y + radius + 24);
+  c.fillText(speed > 1e-6 ? `current ${speed.toFixed(2)} m/s` : "no current", x, y + radius + 26);
   c.fillStyle = colour("--ink-2");
-  c.fillText(`${scale} m/s`, x, y + radius - 4);
+  c.fillText(`${scale} m/s`, x, y + radius + 10);
 }
 
 function paintScale(c: Ctx, s: Scene): void {

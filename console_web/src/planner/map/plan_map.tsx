@@ -5,6 +5,7 @@ import { fixed } from "../../lib/format";
 import { flying } from "../../stream/link";
 import { live } from "../../stream/store";
 import { plan } from "../fly/forecast";
+import { forecast as variant } from "../fly/what_if";
 import { onPlanKey } from "../keys";
 import { badge, name } from "../model/library";
 import { dragging, mission, selected } from "../model/plan";
@@ -31,6 +32,7 @@ function scene(extent: Size): Scene {
     nominal: forecast?.nominal,
     flights: forecast?.flights ?? [],
     picked: picked === undefined ? undefined : forecast?.flights.find(({ seed }) => seed === picked),
+    variant: variant.value?.nominal,
     stale: !plan.current.value || dragging.value,
     vehicle: flownHere(),
     box: box.value,

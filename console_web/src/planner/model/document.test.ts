@@ -41,6 +41,13 @@ describe("editing a mission's text", () => {
     expect(write(read(docking), docking)).toBe(docking);
   });
 
+  it("keeps the line ends and the mark of a file from another system", () => {
+    const theirs = `\uFEFF${docking.replaceAll("\n", "\r\n")}`;
+    const number = edited(theirs, [{ path: ["legs", 1, "to_ned_m", 1], value: -3.5 }]);
+    expect(number).toBe(theirs.replace("[24.5, 0, 2.3]", "[24.5, -3.5, 2.3]"));
+    expect(restructured(theirs, (doc) => put(doc, ["seed"], 99))).toBe(theirs.replace("seed: 1", "seed: 99"));
+  });
+
   it("reads headings with leading zeros as decimal numbers", () => {
     expect(read("heading_deg: 045\n").toJS()).toEqual({ heading_deg: 45 });
   });

@@ -26,12 +26,22 @@ export function read(text: string): Document {
 export function write(doc: Document, like: string): string {
   const indent = /^( +)[A-Za-z_]/m.exec(like)?.[1]?.length ?? 2;
   const flatLists = /^[A-Za-z_]\w*:[^\n]*\n- /m.test(like);
-  return doc.toString({
+  const made = doc.toString({
     lineWidth: 0,
     flowCollectionPadding: false,
     indent: Math.min(indent, 8),
     indentSeq: !flatLists,
   });
+  const mark = like.startsWith(BOM) && !made.startsWith(BOM) ? BOM : "";
+  return mark + withEnds(made, like);
+}
+
+const BOM = "\uFEFF";
+
+/** Line ends as another text has them. */
+export function withEnds(text: string, like: string): string {
+  const plain = text.replaceAll("\r\n", "\n");
+  return like.includes("\r\n") ? plain.replaceAll("\n", "\r\n") : plain;
 }
 
 /** A number in few characters: at most three decimals, never -0. */

@@ -1,11 +1,13 @@
 // Which mission is open, what is stored of it, and what is only in this browser.
-import { computed, effect, signal } from "@preact/signals";
+import { computed, effect, signal, untracked } from "@preact/signals";
 import { ask } from "../../api/client";
 import type { Refusal } from "../../api/http";
 import { missions } from "../../api/resources";
+import { dateTime } from "../../lib/format";
+import { address, go } from "../../shell/address";
 import { live } from "../../stream/store";
 import { put, restructured } from "./document";
-import { Drafts } from "./drafts";
+import { type Draft, Drafts } from "./drafts";
 import { hashOf } from "./hash";
 import { dragging, open, text } from "./plan";
 import { blank, freeName, titleOf } from "./templates";
@@ -40,19 +42,9 @@ export const badge = computed<Badge>(() => {
 });
 export const unsaved = computed(() => ["new", "changed", "elsewhere"].includes(badge.value));
 
-function address(to: string): void {
-  const wanted = to ? `#plan/${encodeURIComponent(to)}` : "#plan";
-  if (location.hash !== wanted) location.hash = wanted;
-}
-
-/** The mission that the address names. */
+/** The mission that the address names; the open one while another view is shown. */
 export function named(): string {
-  const [view, rest = ""] = location.hash.slice(1).split("/");
-  try {
-    return view === "plan" ? decodeURIComponent(rest) : name.peek();
-  } catch {
-    return "";
-  }
+  return address.value.view === "plan" ? address.value.id : name.peek();
 }
 
 function take(to: string, fresh: string, from: string, own: boolean): void {
@@ -61,19 +53,31 @@ function take(to: string, fresh: string, from: string, own: boolean): void {
   base.value = from;
   open(fresh);
   name.value = to;
-  address(to);
+  if (address.peek().view === "plan") go("plan", to);
 }
 
-/** Open a mission: its draft in this browser where there is one, else the stored file. */
+/** What another browser, or this one before it was cleared, left on the server. */
+async function draftOfServer(wanted: string): Promise<Draft | undefined> {
+  const answer = await ask("get", "/api/drafts");
+  const found = answer.ok ? answer.value.find((draft) => draft.name === wanted) : undefined;
+  return found && { text: found.yaml, base: "", changed: Date.parse(found.saved) };
+}
+
+/** Open a mission: its draft in this browser where there is one, else the server's, else the stored file. */
 export async function openMission(wanted: string): Promise<void> {
   flush();
-  const draft = drafts.get(wanted);
+  const own = drafts.get(wanted);
+  const draft = own ?? (await draftOfServer(wanted));
   const answer = await ask("get", "/api/missions/{name}", { path: { name: wanted } });
-  if (named() !== wanted && location.hash.startsWith("#plan/")) return; // another was asked for since
+  if (untracked(named) !== wanted) return; // another was asked for since
   if (answer.ok) {
-    const { yaml, sha256, builtin: own } = answer.value;
+    const { yaml, sha256, builtin: shipped } = answer.value;
     const hash = sha256 || hashOf(yaml);
-    take(wanted, draft?.text ?? yaml, draft?.base || hash, own === true);
+    take(wanted, draft?.text ?? yaml, draft?.base || hash, shipped === true);
+    if (draft && !own && draft.text !== yaml)
+      done.value = {
+        text: `This is the draft that the server kept at ${dateTime(draft.changed / 1000)}, not the stored file.`,
+      };
   } else if (draft) take(wanted, draft.text, "", false);
   else {
     trouble.value = answer;
@@ -157,6 +161,7 @@ export async function revert(): Promise<void> {
   cancelFlush();
   drafts.drop(to);
   draftNames.value = drafts.names();
+  await ask("delete", "/api/missions/{name}/draft", { path: { name: to } });
   await openMission(to);
   done.value = {
     text: "Changes discarded.",
@@ -205,12 +210,12 @@ export async function remove(): Promise<void> {
       return;
     }
     bin = answer.value.id;
-  }
+  } else await ask("delete", "/api/missions/{name}/draft", { path: { name: gone } });
   drafts.drop(gone);
   draftNames.value = drafts.names();
   name.value = "";
   open("");
-  address("");
+  go("plan");
   await missions.refresh();
   done.value = {
     text: `${gone} deleted.`,
@@ -223,7 +228,7 @@ async function restore(bin: string): Promise<void> {
   await missions.refresh();
   if (!answer.ok) trouble.value = answer;
   else {
-    address(answer.value.name);
+    go("plan", answer.value.name);
     await openMission(answer.value.name);
   }
 }
@@ -271,7 +276,10 @@ function keep(): void {
   const to = name.peek();
   if (!to) return;
   if (badge.peek() === "saved" || badge.peek() === "held" || badge.peek() === "other") drafts.drop(to);
-  else unkept.value = !drafts.put(to, { text: text.peek(), base: base.peek(), changed: Date.now() });
+  else {
+    unkept.value = !drafts.put(to, { text: text.peek(), base: base.peek(), changed: Date.now() });
+    void ask("put", "/api/missions/{name}/draft", { path: { name: to }, body: new Blob([text.peek()]) });
+  }
   draftNames.value = drafts.names();
 }
 

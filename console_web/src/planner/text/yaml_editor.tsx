@@ -5,12 +5,18 @@ import type { EditorView } from "@codemirror/view";
 import { useSignalEffect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { plan } from "../fly/forecast";
+import { withEnds } from "../model/document";
 import { broken, setText, text } from "../model/plan";
 import { difference } from "./difference";
 import { jump } from "./jump";
 import { problemsIn } from "./problems";
 import { makeEditor } from "./setup";
 import "./yaml_editor.css";
+
+/** The editor's own line ends. */
+function shown(of: string): string {
+  return withEnds(of, "");
+}
 
 export function YamlEditor() {
   const box = useRef<HTMLDivElement>(null);
@@ -19,7 +25,9 @@ export function YamlEditor() {
     if (!box.current) return;
     // In a shadow root the editor's styles are sheets of its own, which the page's policy allows.
     const root = box.current.shadowRoot ?? box.current.attachShadow({ mode: "open" });
-    const view = makeEditor(root, text.peek(), (typed) => setText(typed, "Edit the text", "typing"));
+    const view = makeEditor(root, shown(text.peek()), (typed) =>
+      setText(withEnds(typed, text.peek()), "Edit the text", "typing"),
+    );
     editor.current = view;
     return () => {
       view.destroy();
@@ -30,7 +38,7 @@ export function YamlEditor() {
     const next = text.value;
     const view = editor.current;
     if (!view) return;
-    const change = difference(view.state.doc.toString(), next);
+    const change = difference(view.state.doc.toString(), shown(next));
     if (change) view.dispatch({ changes: change });
   });
   useSignalEffect(() => {

@@ -4,7 +4,7 @@ import argparse
 import json
 from collections import Counter
 from collections.abc import Iterable, Mapping
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from typing import Any
 
 from bumpless.campaign.engine import in_order
@@ -15,19 +15,20 @@ from bumpless_paper.study.docks.cases import KINDS, Case, Heading, Kind, draw_ca
 from bumpless_paper.study.docks.judge import Judgement, judge
 
 Overrides = Mapping[str, Mapping[str, Any]]
-Job = tuple[int, Kind, Heading, Overrides | None]
+Job = tuple[int, Kind, Heading, Overrides | None, bool]
 
 
-def fly_case(case: Case, overrides: Overrides | None = None) -> Result:
-    """The flight of a case; overrides: parameters by section."""
+def fly_case(case: Case, overrides: Overrides | None = None, flow: bool = False) -> Result:
+    """The flight of a case; overrides: parameters by section; flow: with the mission's `actuator_flow`."""
     parameters = with_overrides(default_parameters(vehicle()), overrides or {})
-    return simulate(case.mission, vehicle(), parameters, case.mission.seed, alter=case)
+    mission = replace(case.mission, actuator_flow=True) if flow else case.mission
+    return simulate(mission, vehicle(), parameters, mission.seed, alter=case)
 
 
 def _one(job: Job) -> Judgement:
-    number, kind, heading, overrides = job
+    number, kind, heading, overrides, flow = job
     case = draw_case(number, kind, heading)
-    return judge(case, fly_case(case, overrides))
+    return judge(case, fly_case(case, overrides, flow))
 
 
 def fly_cases(
@@ -36,9 +37,10 @@ def fly_cases(
     heading: Heading = "",
     overrides: Overrides | None = None,
     workers: int = 1,
+    flow: bool = False,
 ) -> list[Judgement]:
     """Judgements of many cases, in order."""
-    jobs: list[Job] = [(number, kind, heading, overrides) for number in numbers]
+    jobs: list[Job] = [(number, kind, heading, overrides, flow) for number in numbers]
     return in_order(jobs, _one, workers)
 
 
@@ -49,10 +51,11 @@ def main() -> None:
     parser.add_argument("--count", type=int, default=60)
     parser.add_argument("--kind", choices=KINDS, default="normal")
     parser.add_argument("--heading", choices=("", "fixed", "some", "into"), default="")
+    parser.add_argument("--flow", action="store_true", help="with the real flow at screws and fins")
     parser.add_argument("--workers", type=int, default=2)
     parser.add_argument("--out", help="write the judgements there, JSON")
     a = parser.parse_args()
-    rows = fly_cases(range(a.first, a.first + a.count), a.kind, a.heading, workers=a.workers)
+    rows = fly_cases(range(a.first, a.first + a.count), a.kind, a.heading, workers=a.workers, flow=a.flow)
     counts = Counter(row.outcome for row in rows)
     docked = share_of(counts["docked"], len(rows))
     heading = a.heading or "drawn heading"

@@ -1,12 +1,24 @@
 """QGroundControl's `.plan` (JSON) and MAVLink's list of waypoints (`QGC WPL 110`)."""
 
 import json
+import math
 from typing import Any
 
+from bumpless.config.mission.origin import Origin
+from bumpless.config.mission.zones import MOST_CORNERS
 from bumpless.config.text import BOM
 from bumpless_server.plan.exchange.commands import GLOBAL_FRAMES, PLACES, SPEED, name_of
-from bumpless_server.plan.exchange.route import NotImportable, Point, Route, depth_of, geographic, number
+from bumpless_server.plan.exchange.route import (
+    NotImportable,
+    Point,
+    Route,
+    Zone,
+    depth_of,
+    geographic,
+    number,
+)
 
+CIRCLE_CORNERS = 24
 PLAN, WPL = "a QGroundControl plan", "a list of waypoints (QGC WPL)"
 
 
@@ -126,8 +138,45 @@ def _command(
 def _beside(route: Route, tree: dict[str, Any]) -> None:
     """Fences and rally points."""
     fence, rally = tree.get("geoFence"), tree.get("rallyPoints")
-    for key, words in (("polygons", "geofence polygon"), ("circles", "geofence circle")):
-        for i, _ in enumerate(fence.get(key) or () if isinstance(fence, dict) else ()):
-            route.left(f"{words} {i + 1}", "fences are not flown: keep the legs inside it")
+    fence = fence if isinstance(fence, dict) else {}
+    for i, given in enumerate(fence.get("polygons") or ()):
+        corners = given.get("polygon") if isinstance(given, dict) else given
+        _fence(route, f"geofence polygon {i + 1}", given, corners)
+    for i, given in enumerate(fence.get("circles") or ()):
+        circle = given.get("circle") if isinstance(given, dict) else None
+        corners = _round(circle, f"geofence circle {i + 1}") if isinstance(circle, dict) else None
+        _fence(route, f"geofence circle {i + 1}", given, corners)
     for i, _ in enumerate(rally.get("points") or () if isinstance(rally, dict) else ()):
         route.left(f"rally point {i + 1}", "the vehicle waves off to where its approach began")
+
+
+def _fence(route: Route, what: str, given: Any, corners: Any) -> None:
+    if not isinstance(corners, list) or not 3 <= len(corners) <= MOST_CORNERS:
+        route.left(what, f"its outline has not 3 to {MOST_CORNERS} corners")
+        return
+    places = []
+    for corner in corners:
+        if not isinstance(corner, list) or len(corner) < 2:
+            raise NotImportable(f"{what}: a corner is no latitude and longitude")
+        latitude, longitude = (number(value, f"{what}, corner") for value in corner[:2])
+        places.append(geographic(latitude, longitude, what))
+    inside = not isinstance(given, dict) or bool(given.get("inclusion", True))
+    if inside and any(zone.inside for zone in route.zones):
+        route.left(what, "a mission has one boundary to keep inside")
+        return
+    route.zones.append(Zone(inside, tuple(places)))
+    route.carried(what, "as the keep-in boundary" if inside else "as a keep-out zone over all depths")
+
+
+def _round(circle: dict[str, Any], what: str) -> list[list[float]] | None:
+    """A circle as an outline of latitudes and longitudes."""
+    center = circle.get("center")
+    if not isinstance(center, list) or len(center) < 2:
+        return None
+    radius = number(circle.get("radius"), f"{what}, radius")
+    latitude, longitude = (number(value, f"{what}, centre") for value in center[:2])
+    if abs(latitude) > 89.0 or not 0.0 < radius < 1e5:
+        return None
+    origin = Origin(latitude_deg=latitude, longitude_deg=longitude)
+    turns = [2.0 * math.pi * k / CIRCLE_CORNERS for k in range(CIRCLE_CORNERS)]
+    return [list(origin.to_geographic(radius * math.cos(t), radius * math.sin(t))) for t in turns]

@@ -7,7 +7,7 @@ from itertools import pairwise
 from bumpless.config.capacity import MAX_WAYPOINTS
 from bumpless.config.mission.origin import Origin
 from bumpless.config.mission.rules import SHORTEST_LEG_M
-from bumpless_server.plan.exchange.route import Item, NotImportable, Point, Route
+from bumpless_server.plan.exchange.route import Item, NotImportable, Point, Route, Zone
 
 DEPTH_M, SPEED_MPS, STANDOFF_M = 2.0, 0.7, 1.5
 SLOWEST_MPS, FASTEST_MPS = 0.01, 5.0
@@ -140,6 +140,7 @@ def _yaml(
         f"  heading_deg: {heading:g}",
         f"  standoff_m: {STANDOFF_M:g}",
     ]
+    lines += _zones(route, origin)
     if origin is not None:
         lines += [
             "",
@@ -148,6 +149,25 @@ def _yaml(
             f"  longitude_deg: {origin.longitude_deg:.8f}",
         ]
     return "\n".join(lines) + "\n"
+
+
+def _zones(route: Route, origin: Origin | None) -> list[str]:
+    """The YAML of what to keep out of and inside."""
+    outside = [zone for zone in route.zones if not zone.inside]
+    boundary = next((zone for zone in route.zones if zone.inside), None)
+    lines = ["", "keep_out:"] if outside else []
+    for zone in outside:
+        lines += ["  - corners:", *_corners(zone, origin, 6)]
+    if boundary is not None:
+        lines += ["", "keep_in:", "  corners:", *_corners(boundary, origin, 4)]
+    return lines
+
+
+def _corners(zone: Zone, origin: Origin | None, indent: int) -> list[str]:
+    places = [origin.to_local(*corner) if origin else corner for corner in zone.corners]
+    if any(abs(value) > FARTHEST_M for place in places for value in place):
+        raise NotImportable("has a fence farther away than a mission can lead")
+    return [f"{' ' * indent}- {{north_m: {n:.2f}, east_m: {e:.2f}}}" for n, e in places]
 
 
 def _count(count: int, what: str) -> str:

@@ -26,6 +26,14 @@ class Point:
     speed_mps: float | None = None
 
 
+@dataclass(frozen=True)
+class Zone:
+    """An outline of places like those of the points, to keep out of or inside."""
+
+    inside: bool
+    corners: tuple[tuple[float, float], ...]
+
+
 @dataclass
 class Route:
     """A foreign mission's way; `geographic` places are latitudes and longitudes."""
@@ -36,6 +44,7 @@ class Route:
     points: list[Point] = field(default_factory=list)
     items: list[Item] = field(default_factory=list)
     title: str = ""
+    zones: list[Zone] = field(default_factory=list)
     parts: tuple[str, ...] = ()  # ways that the file holds, where they have names and there may be several
 
     def carried(self, what: str, note: str = "") -> None:

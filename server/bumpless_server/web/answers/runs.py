@@ -25,3 +25,7 @@ class RunAnswer(Answer):
     outcome: Ending | None  # None: not judged, or not yet
     outcome_reason: str
     metrics: Metrics | None
+    recorded: datetime  # when the file was last written, by the server's clock
+    title: str = ""
+    tags: list[str] = []
+    note: str = ""

@@ -49,6 +49,14 @@ class ActuatorAnswer(Answer):
     max: float
 
 
+class FailsafeAnswer(Answer):
+    """What the vehicle does by itself: shown before a start as "what happens when"."""
+
+    when: str  # one sentence
+    reaction: Literal["none", "hold", "abort"]
+    after_s: float | None  # of the cause; None: it does nothing
+
+
 class VehicleAnswer(Answer):
     """The vehicle's build as its own file says."""
 
@@ -60,6 +68,7 @@ class VehicleAnswer(Answer):
     length_m: float
     diameter_m: float
     actuators: list[ActuatorAnswer]  # one for each command, in the order of u
+    failsafe: list[FailsafeAnswer]
 
     @classmethod
     def of(cls, vehicle: Vehicle) -> "VehicleAnswer":
@@ -72,6 +81,13 @@ class VehicleAnswer(Answer):
             controllable=list(vehicle.controllable),
             length_m=vehicle.hull.length_m,
             diameter_m=vehicle.hull.diameter_m,
+            failsafe=[
+                FailsafeAnswer(
+                    when="The console is not heard during a mission.",
+                    reaction=vehicle.failsafe.heartbeat_lost if vehicle.failsafe.heartbeat_lost_s else "none",
+                    after_s=vehicle.failsafe.heartbeat_lost_s or None,
+                )
+            ],
             actuators=[
                 ActuatorAnswer(
                     name=command.name,

@@ -83,7 +83,7 @@ def _start_request(console: Served, wanted: Start) -> pb.StartMission:
 async def start(console: Served, asked: Asked, wanted: Start = Body(...)) -> CommandReply:
     """Fly a stored mission."""
     request = await run_in_threadpool(_start_request, console, wanted)
-    details = {"mission": request.file_name, "seed": wanted.seed}
+    details = {"mission": request.file_name, "seed": wanted.seed, "despite": wanted.despite_findings}
     return await asked.carry_out("start", request, author=wanted.operator, **details)
 
 

@@ -1,8 +1,10 @@
 """Recorded runs: the list, one run, its log as a download, its metrics."""
 
 from collections.abc import Iterator
+from dataclasses import asdict
 from datetime import UTC, datetime
 from pathlib import Path
+from typing import Any
 
 from fastapi import APIRouter, Response
 from fastapi.responses import FileResponse, StreamingResponse
@@ -11,6 +13,7 @@ from pydantic import ValidationError
 from bumpless.runs.names import RECORDING
 from bumpless.runs.writer import RunWriter
 from bumpless_server.runs.catalogue import Row
+from bumpless_server.runs.shelf import Words
 from bumpless_server.web.answers.contract import Metrics
 from bumpless_server.web.answers.refusal import REFUSALS
 from bumpless_server.web.answers.runs import RunAnswer
@@ -30,9 +33,10 @@ def _started(started_ns: int) -> datetime:
     return datetime.fromtimestamp(within // 1_000_000 * 1e-3, UTC)
 
 
-def _finished(row: Row) -> RunAnswer:
-    told = row.as_dict()
-    made = {"started": _started(told.pop("started_ns")), "outcome": told["outcome"] or None}
+def _finished(row: Row, words: Words) -> RunAnswer:
+    told = row.as_dict() | asdict(words)
+    made: dict[str, Any] = {"started": _started(told.pop("started_ns")), "outcome": told["outcome"] or None}
+    made["recorded"] = _started(row.modified_ns)
     try:
         return RunAnswer.model_validate(told | made)
     except ValidationError:  # figures that somebody else attached to the file: the run stands without them
@@ -57,6 +61,7 @@ def _going_on(run: RunWriter) -> RunAnswer:
         outcome=None,
         outcome_reason="",
         metrics=None,
+        recorded=datetime.now(UTC),
     )
 
 
@@ -69,7 +74,7 @@ def _going_on_of(console: Served, run: str) -> RunWriter | None:
 def runs(console: Served) -> list[RunAnswer]:
     """All runs, newest first; the one being recorded at the top."""
     recording = console.recorder.recording
-    finished = [_finished(row) for row in console.catalogue.rows()]
+    finished = [_finished(row, console.shelf.words(row.summary.id)) for row in console.catalogue.rows()]
     if recording is None:
         return finished
     return [_going_on(recording), *(run for run in finished if run.id != recording.id)]
@@ -84,7 +89,7 @@ def one(console: Served, run: str) -> RunAnswer:
     row = console.catalogue.row(run)
     if row is None:
         raise Refusal(404, f"there is no run {run!r}")
-    return _finished(row)
+    return _finished(row, console.shelf.words(run))
 
 
 @router.get("/{run}/metrics")
@@ -116,11 +121,14 @@ def download(console: Served, run: str) -> Response:
 
 @router.delete("/{run}", status_code=204)
 def remove(console: Served, run: str) -> Response:
-    """Delete a finished run."""
+    """Put a finished run into the bin."""
     if _going_on_of(console, run) is not None:
         raise Refusal(409, f"run {run!r} is being recorded")
-    if not console.catalogue.delete(run):
+    path = console.catalogue.path(run)
+    if path is None:
         raise Refusal(404, f"there is no run {run!r}")
+    console.shelf.throw(path)
+    console.catalogue.delete(run)
     return Response(status_code=204)
 
 

@@ -4,6 +4,7 @@ import shlex
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from bumpless.campaign.page.capture import capture_pictures
 from bumpless.campaign.page.plots import current_map, quantity_bars
 from bumpless.campaign.prepared import Prepared
 from bumpless.campaign.quantities import QUANTITIES
@@ -32,6 +33,7 @@ def page_of(prepared: Prepared, table: "pa.Table", summary: Summary, file: str) 
         setups=prepared.setups,
         current_map=current_map(table),
         quantity_bars=quantity_bars(table),
+        captures=capture_pictures(prepared.setups),
         draws=[(name, _said(d), QUANTITIES[name]) for name, d in campaign.draw.items()],
         commands={row["number"]: replay(file, row["number"]) for row in summary.worst},
     )

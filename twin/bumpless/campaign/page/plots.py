@@ -39,7 +39,7 @@ def current_map(table: "pa.Table") -> str:
     count, *_ = np.histogram2d(speed, turned, [rings, edges])
     good, *_ = np.histogram2d(speed, turned, [rings, edges], weights=docked)
     share = np.ma.masked_where(count == 0, good / np.maximum(count, 1.0))
-    figure, axes = _figure(5.4, 4.4, polar=True)
+    figure, axes = figure_of(5.4, 4.4, polar=True)
     axes.set_theta_zero_location("N")
     axes.set_theta_direction(-1)
     mesh = axes.pcolormesh(edges, rings, share, cmap="RdYlBu", vmin=0.0, vmax=1.0, edgecolors="white", lw=0.5)
@@ -49,7 +49,9 @@ def current_map(table: "pa.Table") -> str:
     axes.set_xticks(np.radians([0, 90, 180, 270]), ["from astern", "to starboard", "against", "to port"])
     axes.set_yticks(rings[1:], [f"{ring:.2g}" for ring in rings[1:]])
     figure.colorbar(mesh, ax=axes, label="share docked", shrink=0.8, pad=0.14)
-    return _svg(figure, "Share that docked over current speed, m/s, and direction from the approach heading")
+    return svg_of(
+        figure, "Share that docked over current speed, m/s, and direction from the approach heading"
+    )
 
 
 def quantity_bars(table: "pa.Table") -> str:
@@ -60,7 +62,7 @@ def quantity_bars(table: "pa.Table") -> str:
         return ""
     columns = min(3, len(names))
     rows = -(-len(names) // columns)
-    figure, grid = _figure(8.4, 1.9 * rows + 0.4, rows, columns)
+    figure, grid = figure_of(8.4, 1.9 * rows + 0.4, rows, columns)
     docked = _docked(table)
     for axes, name in zip(grid, names, strict=False):
         _bars(axes, _column(table, name), docked)
@@ -68,7 +70,7 @@ def quantity_bars(table: "pa.Table") -> str:
         axes.set_ylim(0.0, 1.0)
     for axes in grid[len(names) :]:
         axes.set_visible(False)
-    return _svg(figure, "Share that docked along each drawn quantity, with its 95 % interval")
+    return svg_of(figure, "Share that docked along each drawn quantity, with its 95 % interval")
 
 
 def _bars(axes: Any, values: np.ndarray, docked: np.ndarray) -> None:
@@ -98,7 +100,7 @@ def _is_number(table: "pa.Table", name: str) -> bool:
     return str(table.schema.field(name).type) == "double"
 
 
-def _figure(width: float, height: float, rows: int = 1, columns: int = 1, polar: bool = False) -> Any:
+def figure_of(width: float, height: float, rows: int = 1, columns: int = 1, polar: bool = False) -> Any:
     """A figure apart from pyplot, so that no state and no window is left behind."""
     import matplotlib
     from matplotlib.figure import Figure
@@ -115,7 +117,7 @@ def _figure(width: float, height: float, rows: int = 1, columns: int = 1, polar:
     return figure, list(grid)
 
 
-def _svg(figure: Any, title: str) -> str:
+def svg_of(figure: Any, title: str) -> str:
     """The figure as an element to put into a page, named for those who do not see it."""
     import matplotlib
 

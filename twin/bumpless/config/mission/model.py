@@ -18,6 +18,7 @@ from bumpless.config.mission.origin import Origin
 from bumpless.config.mission.sea import Environment
 from bumpless.config.mission.sensing import Sensors
 from bumpless.config.mission.trim import Trim
+from bumpless.config.mission.zones import MOST_ZONES, KeepIn, KeepOut
 from bumpless.config.names import NED
 from bumpless.config.parameters import Parameters
 from bumpless.config.problems import ProblemsError
@@ -169,6 +170,10 @@ class Document:
                help="Screws in four quadrants, wash over fins and what else the vehicle file says of flow."),
     ] = False  # fmt: skip
     trim: Annotated[Trim | None, Part("Ballast and buoyancy of the simulated vehicle")] = None
+    keep_out: Annotated[
+        tuple[KeepOut, ...], Entries("Keep-out zones", most=MOST_ZONES, help="No leg may lead through them.")
+    ] = ()
+    keep_in: Annotated[KeepIn | None, Part("Keep-in boundary", help="No leg may leave it.")] = None
     origin: Annotated[
         Origin | None, Part("Where the local frame lies on the earth", help="For charts and other programs.")
     ] = None

@@ -17,7 +17,14 @@ SHORTEST_LEG_M = 0.5
 
 def broken_rules(mission: Mission, vehicle: Vehicle | None, any_vehicle: bool = False) -> list[Broken]:
     """Every broken rule, by its path in the file."""
-    found = [*_legs(mission), *_target(mission), *_times(mission), *_sea(mission), *_weights(mission)]
+    found = [
+        *_legs(mission),
+        *_target(mission),
+        *_times(mission),
+        *_sea(mission),
+        *_zones(mission),
+        *_weights(mission),
+    ]
     if vehicle is None:
         try:
             vehicle = load_vehicle(mission.vehicle)
@@ -136,6 +143,13 @@ def _sea(mission: Mission) -> Iterator[tuple[str, object, str]]:
     if 0.0 < bottom <= deepest:
         rule = f"must be more than the mission's deepest point ({deepest:g} m), or 0"
         yield "environment.water_depth_m", bottom, rule
+
+
+def _zones(mission: Mission) -> Iterator[tuple[str, object, str]]:
+    for i, zone in enumerate(mission.keep_out):
+        if not zone.from_depth_m < zone.to_depth_m:
+            rule = f"must be deeper than from_depth_m ({zone.from_depth_m:g})"
+            yield f"keep_out[{i}].to_depth_m", zone.to_depth_m, rule
 
 
 def _weights(mission: Mission) -> Iterator[tuple[str, object, str]]:

@@ -168,6 +168,11 @@ class DockingParameters:
         float,
         Number("Fastest turn of heading and pitch on the line", "deg/s", 0.01, 180.0, record="line_rate"),
     ] = 5.0
+    fin_rate_degps: Annotated[
+        float,
+        Number("Fastest fin in R and H", "deg/s", 0.1, 360.0, record="fin_rate",
+               help="Where the flow is slow fins gain nothing by slamming."),
+    ] = 11.5  # fmt: skip
     forward_feed: Annotated[float, share("Drag and inertia fed forward in surge", "forward_feed")] = 1.0
     slow_worth: Annotated[
         float,

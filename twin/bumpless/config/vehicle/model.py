@@ -10,6 +10,7 @@ from bumpless.config.names import WRENCH
 from bumpless.config.parameters import Parameters
 from bumpless.config.problems import Problem
 from bumpless.config.vehicle.body import Appendage, Environment, Hull, Mass
+from bumpless.config.vehicle.failsafe import Failsafe
 from bumpless.config.vehicle.parts import Actuator, Command
 from bumpless.config.vehicle.places import Places
 from bumpless.config.vehicle.sensors import Sensors
@@ -39,6 +40,9 @@ class Document:
     control: Annotated[
         dict[str, Any], Overrides("Control parameters, in a file beside or here", of=Parameters)
     ] = field(default_factory=dict[str, Any])
+    failsafe: Annotated[Failsafe, Part("What it does by itself when something fails")] = field(
+        default_factory=Failsafe
+    )
 
 
 @model

@@ -3,7 +3,7 @@
 from bumpless.config.parameters.records import word_codes
 from bumpless.contract.enums import INFEASIBLE, REFUSED
 from bumpless.control.allocation.baselines import allocate_direct, allocate_wls
-from bumpless.control.allocation.bounds import command_bounds, limited_channels
+from bumpless.control.allocation.bounds import command_bounds, limited_channels, slow_fins
 from bumpless.control.allocation.easing import missed_wrench
 from bumpless.control.allocation.mdca import allocate_mdca
 from bumpless.jit import jit
@@ -24,6 +24,8 @@ def allocate(handle, settings, model, tau_d, step_share, surge, problem, solutio
     started = monotonic()  # pyright: ignore[reportCallIssue]
     p = problem
     feasible = command_bounds(model, p.u_previous, p.dt * step_share, p.u_lower, p.u_upper, p.du_max)
+    if p.fin_rate > 0.0:
+        slow_fins(model, p.u_previous, p.dt * p.fin_rate, p.u_lower, p.u_upper, p.du_max)
     for k in range(6):
         p.tau_d[k] = tau_d[k]
     if settings.allocator == MDCA:

@@ -1,6 +1,7 @@
 """The admissible commands of one cycle: amplitude and increment bounds."""
 
 from bumpless.jit import jit
+from bumpless.physics.actuators import FIN
 
 _AUTHORITY = 0.1  # less than this share of the strongest is a side effect, not a means
 
@@ -25,6 +26,16 @@ def command_bounds(model, u_previous, dt, lower, upper, du_max):
             nearest = u_previous[i] - step if u_previous[i] > model.command_max[i] else u_previous[i] + step
             lower[i] = upper[i] = nearest
     return feasible
+
+
+@jit
+def slow_fins(model, u_previous, step, lower, upper, du_max):
+    """Narrow the increment bounds of the fins to `step`, rad; a fin outside of its amplitude comes back."""
+    for i in range(model.n_u):
+        if model.kind[i] == FIN and du_max[i] > step:
+            du_max[i] = step
+            lower[i] = min(max(lower[i], u_previous[i] - step), u_previous[i] + step)
+            upper[i] = max(min(upper[i], u_previous[i] + step), u_previous[i] - step)
 
 
 @jit

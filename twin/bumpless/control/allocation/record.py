@@ -19,6 +19,7 @@ PROBLEM = np.dtype(  # all that the allocator is told of a cycle
         ("R", f8, _n),
         ("lam", f8),
         ("increment_price", f8),
+        ("fin_rate", f8),  # that fins must not exceed, rad/s; 0: only what the model allows
         ("u_previous", f8, _n),  # last command, rad or rev/s
         ("u_lower", f8, _n),  # this cycle's bounds
         ("u_upper", f8, _n),

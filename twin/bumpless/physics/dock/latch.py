@@ -12,6 +12,20 @@ from bumpless.physics.dock.contact import N_WORK, dock_contact, dock_place
 from bumpless.physics.frames import body_to_ned, ned_to_body
 
 
+@inline
+def can_touch(dock, rings, eta):
+    """Whether there is a dock near enough to be touched by a hull at eta (6,): cheap, and wide."""
+    if dock.present == 0:
+        return False
+    reach = dock.cone_length + dock.tube_length + dock.entry_radius + 2.0 * dock.wall
+    reach += abs(rings.x[0]) + abs(rings.x[rings.n - 1])
+    distance2 = 0.0
+    for k in range(3):
+        reach += abs(dock.amplitude[k])
+        distance2 += (eta[k] - dock.entry[k]) ** 2
+    return distance2 < reach * reach
+
+
 @jit
 def feel_dock(dock, rings, eta, nu, time, tau):
     """Add to tau (6,) what the dock does to a hull at eta, nu (6,); fills dock.felt.

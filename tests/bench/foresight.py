@@ -1,0 +1,140 @@
+"""How fast a plan is foreseen, and whether the fan's chance is right: `python -m tests.bench.foresight`.
+
+    python -m tests.bench.foresight [--edits 30] [--fans 5]
+    python -m tests.bench.foresight --chance 30 [--fresh 1000] [--json FILE]
+
+Speeds are wall times of the real processes, from a request's sending to the message's arrival; the browser's
+own part is measured in the browser. `--chance` flies as many missions and counts on how many the interval of
+a fan of 200 holds the share of fresh flights, drawn with other seeds, that dock.
+"""
+
+import argparse
+import asyncio
+import json
+import time
+from collections.abc import Iterator
+from concurrent.futures import ProcessPoolExecutor
+from multiprocessing import get_context
+from pathlib import Path
+from typing import Any
+
+from bumpless.config.mission import missions_folder
+from tests.bench.figure import Figure, figure, short
+
+FAN = 200
+FRESH_SEED = 1_000_000  # of the campaign of fresh flights; the fan's are the missions' own numbers
+DOCKING = (missions_folder() / "docking.yaml").read_text(encoding="utf-8")
+
+
+def figures(edits: int, fans: int) -> list[Figure]:
+    """Rows of the table of speeds."""
+    return asyncio.run(_measured(edits, fans))
+
+
+async def _measured(edits: int, fans: int) -> list[Figure]:
+    from bumpless_server.foresight.foresight import Foresight
+
+    foresight, told = Foresight(), asyncio.Queue[tuple[float, dict[str, Any]]]()
+
+    async def send(text: str) -> None:
+        told.put_nowait((time.perf_counter(), json.loads(text)))
+
+    numbers = iter(range(1, 1_000_000))
+    async with foresight.client(send) as client:
+
+        async def asked(text: str, flights: int, until: str, of: int = 0) -> float:
+            """Seconds from asking to a message of this kind, with so many flights done."""
+            number, begun = next(numbers), time.perf_counter()
+            client.ask(json.dumps({"id": number, "text": text, "seed": 1, "flights": flights}))
+            while True:
+                at, message = await told.get()
+                if message["id"] == number and message["kind"] == until and message.get("done", 0) >= of:
+                    return at - begun
+
+        await asked(DOCKING, 0, "done")
+        drags = []
+        for k in range(edits):
+            text = DOCKING.replace("  heading_deg: 0", f"  heading_deg: {k / 10}", 1)
+            drags.append(1e3 * await asked(text, FAN, "nominal"))
+            await asyncio.sleep(0.15)  # a hand drags: the fan has begun when the next edit comes
+        first = [await asked(DOCKING, FAN, "fan", 20) for _ in range(fans)]
+        whole = [await asked(DOCKING, FAN, "fan", FAN) for _ in range(fans)]
+    await foresight.stop()
+    ordered = sorted(drags)
+    return [
+        figure("foresight_edit_ms", "edit to nominal flight while dragging", drags, "ms", at_most=200),
+        figure(
+            "foresight_edit_p95_ms", "the same, p95", [ordered[int(0.95 * len(ordered))]], "ms", at_most=400
+        ),
+        figure("foresight_first_s", "edit to the first 20 flights of a fan", first, "s", at_most=0.6),
+        figure("foresight_fan_s", f"edit to all {FAN} flights of a fan", whole, "s", at_most=3.0),
+    ]
+
+
+def planned(count: int) -> Iterator[tuple[str, str]]:
+    """(name, text) of missions that differ: heads, currents from ahead and aside, depths, standoffs."""
+    for k in range(count):
+        along, across = -0.01 * (k % 13), 0.0025 * (k % 5 - 2)
+        text = DOCKING.split("\nenvironment:")[0] + "\n"
+        text += f"environment:\n  current_ned_mps: [{along:g}, {across:g}, 0]\n"
+        yield f"docking, current {along:g} {across:g}", text.replace("seed: ", "# seed: ") + f"seed: {k}\n"
+
+
+def chance(missions: int, fresh: int) -> list[dict[str, Any]]:
+    """For each mission: the fan's interval, and the share of fresh flights that docked."""
+    from bumpless.campaign.summary import share_of
+
+    found = []
+    with ProcessPoolExecutor(2, get_context("spawn")) as pool:
+        for k, (name, text) in enumerate(planned(missions)):
+            parts = [(text, k, first, FAN // 2) for first in (0, FAN // 2)]
+            parts += [(text, FRESH_SEED + k, first, fresh // 10) for first in range(0, fresh, fresh // 10)]
+            docked = list(pool.map(_docked, parts))
+            share, true = share_of(sum(docked[:2]), FAN), sum(docked[2:]) / fresh
+            row = {"mission": name, "fan": share.share, "low": share.low, "high": share.high}
+            found.append(row | {"fresh": true, "inside": share.low <= true <= share.high})
+            print(json.dumps(found[-1]), flush=True)
+    return found
+
+
+def _docked(part: tuple[str, int, int, int]) -> int:
+    """How many of `count` drawn flights from `first` on dock."""
+    from bumpless.campaign.flight import Hangar
+    from bumpless.campaign.ready import ready
+    from bumpless_server.foresight import fan
+    from bumpless_server.foresight.plan import plan_of
+    from bumpless_server.foresight.wanted import ForesightRequest
+
+    text, seed, first, count = part
+    ready()
+    drawn = fan.prepared(plan_of(ForesightRequest.model_validate({"id": 0, "text": text, "seed": seed})))
+    return sum(flight.outcome == "docked" for flight in fan.fly(drawn, first, count, Hangar()))
+
+
+def main() -> None:
+    """Command line."""
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("--edits", type=int, default=30)
+    parser.add_argument("--fans", type=int, default=5)
+    parser.add_argument(
+        "--chance", type=int, default=0, help="missions over which the fan's chance is checked"
+    )
+    parser.add_argument("--fresh", type=int, default=1000, help="fresh flights of each")
+    parser.add_argument("--json", type=Path, default=None)
+    options = parser.parse_args()
+    if options.chance:
+        rows = chance(options.chance, options.fresh)
+        print(f"inside: {sum(row['inside'] for row in rows)} of {len(rows)}")
+        if options.json is not None:
+            options.json.write_text(json.dumps(rows, indent=1) + "\n", encoding="utf-8")
+        return
+    for one in figures(options.edits, options.fans):
+        print(
+            f"{one.title}: {short(one.value)} {one.unit} ({short(one.low)} … {short(one.high)}), {one.goal}"
+        )
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,107 @@
+"""A run as one HTML file to send: everything inside, nothing fetched, and it prints on A4.
+
+Needs the extra `report`.
+"""
+
+import json
+from collections.abc import Iterator
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from importlib import resources
+from pathlib import Path
+from typing import Any
+
+from bumpless.contract import bumpless_pb2 as pb
+from bumpless.contract.extras import imported
+from bumpless.contract.modes import LOOKS, MODE_LETTERS
+from bumpless.contract.version import software_version
+from bumpless.metrics import as_dict
+from bumpless.review.figures import FIGURES
+from bumpless.runs.flight import open_run
+from bumpless.runs.run import Run
+
+_WORDS = {mode: look.name for mode, look in LOOKS.items()}
+
+
+@dataclass(frozen=True)
+class Switch:
+    """One line of the switch ledger."""
+
+    time_s: float
+    change: str  # "F → R"
+    why: str
+    unless: str  # what would have kept the mode
+    dwelt: str
+    step: str  # d_u in the paper's window
+    settling: str  # until 15 s after the ramp
+
+
+def report_of(path: Path) -> str:
+    """The report of a recorded run. Raises ValueError when the file has no figures; `ExtraMissing`."""
+    jinja2 = imported("jinja2", "report")
+    from bumpless.review.drawings import drawings
+
+    run = open_run(path)
+    metrics, outcome = run.metrics, run.outcome
+    events: list[Any] = [message for topic, message in run.messages() if topic == "event"]
+    text = (resources.files("bumpless.review") / "report.html.j2").read_text(encoding="utf-8")
+    template = jinja2.Environment(autoescape=True, trim_blocks=True, lstrip_blocks=True).from_string(text)
+    told = as_dict(metrics)
+    return template.render(
+        info=run.info,
+        started=datetime.fromtimestamp(max(0, run.info.started_ns) // 1_000_000_000, UTC),
+        outcome=outcome,
+        verdict=outcome.sentence,
+        good=outcome.ending.value in ("docked", "held"),
+        drawings=drawings(run, events),
+        switches=list(_switches(metrics, events)),
+        alarms=[event for event in events if event.severity >= pb.SEVERITY_WARNING],
+        figures=[(figure, figure.of(told)) for key, figure in FIGURES.items() if "." not in key],
+        modes=list(_modes(told)),
+        proposition=(metrics.increment_violations, metrics.demand_step_violations),
+        hashes=_hashes(run),
+        settings=_settings(run),
+        version=software_version(),
+        letters=MODE_LETTERS,
+    )
+
+
+def _switches(metrics: pb.Metrics, events: list[Any]) -> Iterator[Switch]:
+    told = {round(e.stamp.mission_time_s, 2): e.details for e in events if e.code == "mode_switch"}
+    for s in metrics.switches:
+        details = next((told[t] for t in told if abs(t - s.time_s) < 0.06), {})
+        yield Switch(
+            time_s=s.time_s,
+            change=f"{MODE_LETTERS[s.from_mode]} → {MODE_LETTERS[s.to_mode]}",
+            why=details.get("reason", "not told"),
+            unless=details.get("unless", ""),
+            dwelt=details.get("dwelt_s", ""),
+            step=f"{s.command_step_normalised:.4f}",
+            settling=f"{s.command_step_settling:.4f}",
+        )
+
+
+def _modes(told: dict[str, Any]) -> Iterator[dict[str, Any]]:
+    for mode in told.get("modes") or ():
+        number = pb.Mode.Value(mode["mode"])
+        yield {"letter": MODE_LETTERS[number], "name": _WORDS[number], "key": LOOKS[number].key, **mode}
+
+
+def _hashes(run: Run) -> list[tuple[str, str]]:
+    info = run.info
+    return [
+        ("run", info.run_id),
+        ("mission", f"{info.mission}, SHA-256 {info.mission_sha256}"),
+        ("vehicle", f"{info.vehicle}, SHA-256 {info.vehicle_sha256}"),
+        ("parameters", f"SHA-256 {info.parameters_sha256}" if info.parameters_sha256 else "not told"),
+        ("seed", str(info.seed)),
+        ("flown by", info.software_version or "not told"),
+        ("recorded by", info.recorder_version or "not told"),
+    ]
+
+
+def _settings(run: Run) -> str:
+    from bumpless.config.parameters import as_dict as parameters_dict
+
+    parameters = run.parameters
+    return "" if parameters is None else json.dumps(parameters_dict(parameters), indent=1, ensure_ascii=False)
