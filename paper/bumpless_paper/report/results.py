@@ -108,8 +108,8 @@ def honest_text(parts: dict[str, Any]) -> str:
     head = ["allocator", "docked", "held", "time over", "collided", "step F→R", "step R→H", "true e_τ"]
     return (
         f"**The published method, judged so**: the paper's automaton, guidance and mission on {n['plants']} "
-        f"wide plants. It docks on {share(max(row['docked'] for row in n['rows'].values()))} of them at best, "
-        f"and its ramp defers the step past the paper's window of 2 s.\n\n{_markdown(head, rows)}"
+        f"wide plants. It docks on {share(max(one['docked'] for one in n['rows'].values()))} of them at "
+        "best, and its ramp defers the step past the paper's window of 2 s.\n\n" + _markdown(head, rows)
     )
 
 
