@@ -111,11 +111,11 @@ def _stay(said: Numbers | None) -> Row:
 
 
 def _wander(said: Numbers | None) -> Row:
-    figure, before, target = "heading wander in such a hover, RMS", "lost", "< 1°"
+    figure, before, target = "heading wander about the approach in such a hover", "lost", "< 1°"
     if said is None:
         return Row(figure, before, target)
     q = said["stay"]["wander_deg"]
-    return Row(figure, before, target, _spread(q, "°"), "", "flights that were held")
+    return Row(figure, before, target, _spread(q, "° RMS"), "", "flights that were held")
 
 
 def _step(figure: str, before: str, target: str, said: Numbers | None, name: str) -> Row:

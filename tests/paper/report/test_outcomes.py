@@ -43,8 +43,8 @@ def test_shares_are_told_as_counts_with_their_interval() -> None:
     docked = rows["docked, approach into the current"]
     assert (docked.measured, docked.interval) == ("19 of 20", "76.4 % – 99.1 %")
     assert rows["hover held for 10 min where it docked"].measured == "1 of 2"
-    wander = rows["heading wander in such a hover, RMS"]
-    assert wander.measured.startswith("0.5°")  # one that was lost wanders as it likes
+    wander = rows["heading wander about the approach in such a hover"]
+    assert wander.measured.startswith("0.5° RMS")  # one that was lost wanders as it likes
     assert rows["1 N too light or too heavy"].measured == "2 of 2 too light, 1 of 2 too heavy"
     assert rows["RMS e_τ by the true wrench, S4"].measured == "0.45; S2 0.43 (medians)"
 

@@ -82,7 +82,7 @@ class Stay:
 
     docked: bool  # else nothing else counts
     held: bool  # in H at the observation point all the time
-    wander_deg: float  # RMS of the heading about its mean
+    wander_deg: float  # deviation of the heading from the approach heading, which follows the current
 
 
 def stay(number: int) -> Stay:
@@ -95,7 +95,8 @@ def stay(number: int) -> Stay:
         return Stay(False, False, float("nan"))
     then = log[in_place[0] : in_place[0] + round(STAY_S / PERIOD_S)]
     held = bool(((then["mode"] == HOVER) & (then["stage"] == APPROACH)).all())
-    return Stay(True, held, float(np.degrees(np.std(np.unwrap(then["eta"][:, 5])))))
+    off = np.angle(np.exp(1j * (then["eta"][:, 5] - then["approach"])))
+    return Stay(True, held, float(np.degrees(np.std(off))))
 
 
 def loaded(number: int, load_n: float) -> bool:
