@@ -54,6 +54,9 @@ def _member(name: str, value: Any) -> str:
 
 
 def _signature(thing: Any) -> str:
+    declared = getattr(thing, "__pydantic_fields__", None)
+    if declared:  # types, ranges and meanings stand in the pages of what people write
+        return f"({', '.join(declared)})"
     try:
         return str(inspect.signature(thing)).replace("'", "")
     except (TypeError, ValueError):

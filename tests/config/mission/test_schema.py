@@ -131,6 +131,16 @@ WHOLE: dict[str, Any] = {
         "bumpless": {"ramp": False, "integral_at_switch": "keep"},
     },
     "end": {"hover_hold_s": 10},
+    "keep_out": [
+        {
+            "corners": [{"north_m": n, "east_m": e} for n, e in ((50, 0), (60, 0), (60, 9))],
+            "name": "wreck",
+            "from_depth_m": 1,
+            "to_depth_m": 9,
+        }
+    ],
+    "keep_in": {"corners": [{"north_m": n, "east_m": e} for n, e in ((-90, -90), (90, -90), (0, 90))]},
+    "origin": {"latitude_deg": 63.4, "longitude_deg": 10.4, "heading_deg": 30},
     "trim": {"buoyancy_n": 1, "weights": [{"mass_kg": 0.6, "from_m": [0.3, 0, 0], "to_m": [0.35, 0, 0]}]},
 }
 SCHEMA = jsonschema.Draft202012Validator(mission_json_schema())

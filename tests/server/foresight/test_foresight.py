@@ -102,7 +102,7 @@ async def test_the_fan_flies_every_number_once(planner: Planner) -> None:
         assert (flight["seed"], flight["outcome"], flight["end_s"]) == (
             row["seed"],
             row["outcome"],
-            row["time_s"],
+            row["duration_s"],
         )
         assert len(flight["north_m"]) == len(flight["depth_m"]) <= 60
 

@@ -24,7 +24,7 @@ class Sketch:
     number: int
     seed: int
     outcome: Outcome
-    end_s: float  # mission time of the last cycle
+    end_s: float  # how long it lasted
     path_ned_m: npt.NDArray[np.float64]  # (n, 3), the true way, first and last place among them
 
 
@@ -50,4 +50,5 @@ def sketch(prepared: Prepared, number: int, hangar: Hangar, points: int) -> Sket
     body, limits = body_of(mission.target), prepared.campaign.docked.limits
     outcome = outcome_of(columns, vehicle, "completed", body=body, limits=limits)
     shown = np.unique(np.linspace(0, len(log) - 1, min(points, len(log))).round().astype(int))
-    return Sketch(number, seed, outcome, float(log["time"][-1]), np.array(log["eta"][shown, :3]))
+    lasted_s = float(log["time"][-1] - log["time"][0]) + vehicle.control_period_s
+    return Sketch(number, seed, outcome, lasted_s, np.array(log["eta"][shown, :3]))
