@@ -111,6 +111,9 @@ def mission(name: str, title: str, summary: str, duration_s: float) -> dict[str,
         "valid": True,
         "problems": [],
         "modified": "2026-01-01T00:00:00Z",
+        "size": 1024,
+        "tags": [],
+        "archived": False,
     }
 
 
@@ -158,6 +161,7 @@ def vehicle(vehicle_id: str, name: str, controllable: list[str]) -> dict[str, An
         "length_m": 2.2,
         "diameter_m": 0.3,
         "actuators": [],
+        "failsafe": [],
     }
 
 
