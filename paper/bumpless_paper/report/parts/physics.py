@@ -144,7 +144,7 @@ def step_errors(model: np.record) -> tuple[Array, Array]:
         plant = fly(model, nu, np.zeros(8), 4.0, 0.4, substeps)
         return np.concatenate([plant["eta"], plant["nu"]])
 
-    exact, counts = end(128), np.array([1, 2, 4, 8, 16])
+    exact, counts = end(256), np.array([2, 4, 8, 16, 32])
     return 0.4 / counts, np.array([np.abs(end(int(n)) - exact).max() for n in counts])
 
 
