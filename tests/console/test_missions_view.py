@@ -133,6 +133,26 @@ def test_start_sends_mission_and_seed_and_shows_a_refusal_as_it_came(
     expect(alert).to_have_count(0)
 
 
+def test_start_begins_with_a_mission_for_the_vehicle_that_is_there(
+    console: Page, server: ContractServer
+) -> None:
+    """Protects from a start that is refused: what is for another vehicle says so and can't be chosen."""
+    other = mission("azimuth", "Docking with azimuth pods", "", 90.0) | {"vehicle": "twinpod"}
+    server.reply("GET", "missions", [other, *server.replies["GET", "missions"][1]])
+    console.reload()
+    choice = console.get_by_label("Mission", exact=True)
+    expect(choice.locator("option")).to_have_text(
+        ["Docking flight", "Docking in a current", "Docking with azimuth pods (for twinpod)"]
+    )
+    expect(choice).to_have_value("docking.yaml")
+    expect(choice.locator("option").last).to_be_disabled()
+    show(console, "Missions")
+    console.get_by_role("button", name="Docking with azimuth pods").click()
+    start = console.get_by_label("Mission control").get_by_role("button", name="Start")
+    expect(start).to_be_disabled()
+    expect(start).to_have_attribute("title", "This mission is for twinpod")
+
+
 def test_a_bad_seed_cannot_be_sent(console: Page) -> None:
     """Protects the vehicle from a seed that is no whole number."""
     bar = console.get_by_label("Mission control")

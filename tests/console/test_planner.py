@@ -67,6 +67,43 @@ def test_a_drag_changes_plan_form_and_text_at_once_and_is_undone_as_one(planned:
     expect(planned.get_by_label("How it is kept")).to_contain_text("Saved")
 
 
+def test_a_shipped_mission_is_opened_as_it_is_and_an_edit_makes_a_copy(
+    planned: Page, server: ContractServer
+) -> None:
+    """Protects what is shipped: shown, forecast and startable by its address, never edited itself."""
+    shipped = stored("docking", TEXT.replace("name: harbour", "name: docking"), builtin=True)
+    other = stored("pods", TEXT, builtin=True, vehicle="twinpod")
+    server.reply("GET", "missions", [other, shipped])
+    server.reply("GET", "missions/docking", shipped)
+    server.reply("POST", "mission/start", {"accepted": True, "reason": ""})
+    planned.get_by_role("button", name="Open …").click()
+    missions = planned.get_by_label("Missions to open")
+    expect(missions.locator(".library-row")).to_have_count(2)
+    expect(missions.locator(".library-row").last).to_contain_text("for twinpod")
+    missions.locator(".library-open", has_text="docking").click()
+    kept = planned.get_by_label("How it is kept")
+    expect(kept).to_contain_text("Saved")
+    expect(planned.get_by_label("State of the forecast")).to_have_text("up to date")
+
+    planner.drag(planned, (10, 0), (12, 3))
+    expect(kept).to_contain_text("Not saved")
+    expect(planned).to_have_url(f"{server.url}#/plan/docking_2")
+    text = yaml(planned)
+    assert "name: docking_2" in text and "[12, 3, 2.0]" in text and "# enough" in text
+    planned.get_by_role("button", name="Undo").click()
+    expect(kept).to_contain_text("Saved")
+    expect(planned).to_have_url(f"{server.url}#/plan/docking")
+
+    expect(planned.get_by_label("State of the forecast")).to_have_text("up to date")
+    planned.get_by_role("button", name="Start …").first.click()
+    hold = planned.get_by_role("dialog", name="Before the start").get_by_role("button", name="Hold to start")
+    hold.hover()
+    planned.mouse.down()
+    call = server.wait_for_call("POST", "mission/start")
+    planned.mouse.up()
+    assert call.json() == {"name": "docking", "sha256": shipped["sha256"]}
+
+
 def test_what_is_typed_moves_the_drawing_and_a_wrong_number_is_refused(planned: Page) -> None:
     """Protects exact entry with ranges: a number out of range never reaches the document."""
     planner.click(planned, 26, 0)

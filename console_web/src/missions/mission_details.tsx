@@ -8,6 +8,7 @@ import { MissionPhase } from "../gen/bumpless_pb";
 import { clock, fixed } from "../lib/format";
 import { busy, choosing, chosen, seedRefused, mission as shown, startShown } from "../shell/commands";
 import { flying, link, PHASES, phase } from "../stream/link";
+import { foreign } from "../stream/present";
 import { DeleteButton } from "../ui/delete_button";
 import { PlayIcon } from "../ui/icons";
 import { Empty, Panel } from "../ui/panel";
@@ -91,6 +92,7 @@ function reasonAgainst(detail: MissionDetail): string {
   if (choosing.value || detail.name !== shown.value) return "Another mission is being opened";
   if (detail.valid === false) return "The file breaks a rule";
   if (link.value.look !== "live") return "No live vehicle";
+  if (foreign(detail)) return `It is for ${detail.vehicle}`;
   if (flying.value) return `Vehicle is ${PHASES[phase.value].toLowerCase()}`;
   if (phase.value === MissionPhase.UNSPECIFIED) return "The vehicle has not told its state";
   return seedRefused.value ? "The seed above is no whole number" : "";

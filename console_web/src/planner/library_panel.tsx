@@ -6,8 +6,8 @@ import { Resource } from "../api/resource";
 import { missions } from "../api/resources";
 import { clock } from "../lib/format";
 import { go } from "../shell/address";
+import { foreign, ownFirst, present } from "../stream/present";
 import { CrossIcon } from "../ui/icons";
-import { present } from "./map/figures";
 import { tool } from "./map/tools";
 import { draftNames, fromTemplate, fromText, importFile, name, newMission } from "./model/library";
 import "./library_panel.css";
@@ -49,7 +49,7 @@ function entries(): Entry[] {
       draft: true,
       valid: true,
     }));
-  return [...only, ...stored.filter((one) => !one.builtin), ...stored.filter((one) => one.builtin)];
+  return ownFirst([...only, ...stored.filter((one) => !one.builtin), ...stored.filter((one) => one.builtin)]);
 }
 
 export function begin(): void {
@@ -176,9 +176,9 @@ function Import({ onClose }: { onClose: () => void }) {
 }
 
 function Row({ entry, onClose }: { entry: Entry; onClose: () => void }) {
-  const foreign = present.value !== "" && entry.vehicle !== "" && entry.vehicle !== present.value;
+  const other = foreign(entry);
   return (
-    <li class="library-row" data-foreign={foreign ? "yes" : undefined}>
+    <li class="library-row" data-foreign={other ? "yes" : undefined}>
       <button
         type="button"
         class="library-open"
@@ -192,7 +192,7 @@ function Row({ entry, onClose }: { entry: Entry; onClose: () => void }) {
           <b class="ellipsis">{entry.title}</b>
           {entry.draft && <span class="tag">draft</span>}
           {!entry.valid && <span class="tag">breaks a rule</span>}
-          {foreign && <span class="tag">for {entry.vehicle}</span>}
+          {other && <span class="tag">for {entry.vehicle}</span>}
           <span class="grow" />
           {entry.duration !== null && <span class="muted num">{clock(entry.duration)}</span>}
         </span>

@@ -176,8 +176,8 @@ function Actions() {
       <button
         type="button"
         class="action"
-        disabled={!unsaved.value || builtin.value || saving.value}
-        title={builtin.value ? "It comes with Bumpless: duplicate it" : "Ctrl+S"}
+        disabled={!unsaved.value || saving.value}
+        title={builtin.value ? "It comes with Bumpless and stays: an edit makes a copy" : "Ctrl+S"}
         onClick={() => void save()}
       >
         {saving.value ? "Saving" : "Save"}
@@ -243,8 +243,8 @@ function More() {
               Download {words}
             </button>
           ))}
-          <button type="button" disabled={builtin.value && !unsaved.value} onClick={run(() => void remove())}>
-            {builtin.value ? "Delete the draft" : "Delete"}
+          <button type="button" disabled={builtin.value} onClick={run(() => void remove())}>
+            Delete
           </button>
         </div>
       )}

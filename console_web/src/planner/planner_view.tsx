@@ -15,6 +15,7 @@ import { KEYS, onAnyKey, onClipboard } from "./keys";
 import { Library } from "./library_panel";
 import { learn, learnVehicles, vehicles } from "./map/figures";
 import { PlanMap } from "./map/plan_map";
+import { copyOnEdit } from "./model/copy_on_edit";
 import { autosave, name, named, openMission } from "./model/library";
 import { broken, dragging, mission, selected } from "./model/plan";
 import { PlanBar } from "./plan_bar";
@@ -39,7 +40,11 @@ export function PlannerView({ hidden }: { hidden: boolean }) {
   useEffect(() => {
     void missions.refresh();
     void learnVehicles();
-    const stops = [autosave(), plan.follow(() => name.value !== "" && !broken.value && flies())];
+    const stops = [
+      copyOnEdit(),
+      autosave(),
+      plan.follow(() => name.value !== "" && !broken.value && flies()),
+    ];
     for (const kind of ["copy", "cut", "paste"] as const) document.addEventListener(kind, onClipboard);
     document.addEventListener("keydown", onAnyKey);
     return () => {

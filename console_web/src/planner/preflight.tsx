@@ -14,7 +14,7 @@ import { RefusalNotice } from "../ui/refusal";
 import { hard, plan, soft, told } from "./fly/forecast";
 import { othersIn, percent } from "./fly/foresight";
 import { vehicle } from "./map/figures";
-import { badge, builtin, hash, name, save, saving, trouble, unsaved } from "./model/library";
+import { badge, hash, name, save, saving, trouble, unsaved } from "./model/library";
 import { table } from "./model/mission";
 import { broken, mission, text } from "./model/plan";
 import { preflight } from "./preflight_state";
@@ -55,8 +55,6 @@ function blocked(): string {
     return "The forecast of this very text is not there yet.";
   if ((plan.forecast.value?.problems.length ?? 0) > 0) return "The mission breaks a rule: see Findings.";
   if (hard.value.length > 0) return "It can't work as it is: see Findings.";
-  if (builtin.value && unsaved.value)
-    return "This mission comes with Bumpless: duplicate it to keep your changes.";
   if (badge.value === "elsewhere") return "The stored file was changed by somebody else: save first.";
   return seedRefused.value ? "The seed is no whole number." : "";
 }

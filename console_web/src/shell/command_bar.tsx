@@ -6,6 +6,7 @@ import { type Event, MissionPhase } from "../gen/bumpless_pb";
 import { clock } from "../lib/format";
 import { flying, link, moving, phase } from "../stream/link";
 import { PHASES } from "../stream/phase";
+import { foreign, ownFirst } from "../stream/present";
 import { live } from "../stream/store";
 import { endingNamed } from "../ui/endings";
 import { HoldButton } from "../ui/hold_button";
@@ -13,7 +14,18 @@ import { PauseIcon, PlayIcon, StopIcon } from "../ui/icons";
 import { useKeptFocus } from "../ui/keep_focus";
 import { ProblemTable, RefusalNotice } from "../ui/refusal";
 import "./command_bar.css";
-import { busy, choosing, chosen, command, mission, notice, seed, seedRefused, startChosen } from "./commands";
+import {
+  busy,
+  choosing,
+  chosen,
+  command,
+  misfit,
+  mission,
+  notice,
+  seed,
+  seedRefused,
+  startChosen,
+} from "./commands";
 import { view } from "./views";
 
 /** The view with a start of its own, by what it shows: a second one beside it would fly something else. */
@@ -184,7 +196,7 @@ function Elapsed({ elapsedS, durationS, heldS }: { elapsedS: number; durationS: 
 }
 
 function Chooser({ disabled }: { disabled: boolean }) {
-  const list = missions.value ?? [];
+  const list = ownFirst(missions.value ?? []);
   return (
     <form
       class="chooser"
@@ -201,9 +213,10 @@ function Chooser({ disabled }: { disabled: boolean }) {
         }}
       >
         {list.length === 0 && <option value="">No missions</option>}
-        {list.map(({ name, title }) => (
-          <option key={name} value={name}>
-            {title || name}
+        {list.map((one) => (
+          <option key={one.name} value={one.name} disabled={foreign(one)}>
+            {one.title || one.name}
+            {foreign(one) && ` (for ${one.vehicle})`}
           </option>
         ))}
       </select>
@@ -223,7 +236,8 @@ function Chooser({ disabled }: { disabled: boolean }) {
       <button
         type="submit"
         class="action primary"
-        disabled={disabled || choosing.value || !mission.value || seedRefused.value}
+        disabled={disabled || choosing.value || !mission.value || misfit.value !== "" || seedRefused.value}
+        title={misfit.value ? `This mission is for ${misfit.value}` : undefined}
       >
         <PlayIcon /> {busy.value === "start" ? "Starting" : "Start"}
       </button>

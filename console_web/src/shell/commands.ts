@@ -4,6 +4,7 @@ import { ask } from "../api/client";
 import type { Answer, Refusal } from "../api/http";
 import { missions } from "../api/resources";
 import type { CommandReply } from "../api/types";
+import { foreign, ownFirst } from "../stream/present";
 
 export type Verb = "start" | "pause" | "resume" | "abort";
 
@@ -19,11 +20,17 @@ export const notice = signal<Notice | undefined>(undefined);
 export const chosen = signal("");
 /** A choice on its way: a file is being stored. Until its answer nothing may start, least of all what was shown before. */
 export const choosing = signal(false);
-/** Name of the mission that is shown and that Start would fly: the choice while it exists. */
+/** Name of the mission that is shown and that Start would fly: the choice while it exists, else this vehicle's first. */
 export const mission = computed(() => {
   const list = missions.value;
   if (!list) return chosen.value;
-  return list.some(({ name }) => name === chosen.value) ? chosen.value : (list[0]?.name ?? "");
+  if (list.some(({ name }) => name === chosen.value)) return chosen.value;
+  return ownFirst(list)[0]?.name ?? "";
+});
+/** Vehicle that the mission shown is for, when another one is on the bus; "" else. */
+export const misfit = computed(() => {
+  const shown = missions.value?.find(({ name }) => name === mission.value);
+  return shown && foreign(shown) ? shown.vehicle : "";
 });
 /** As typed. */
 export const seed = signal("");

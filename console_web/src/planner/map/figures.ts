@@ -2,7 +2,6 @@
 import { computed, signal } from "@preact/signals";
 import { ask } from "../../api/client";
 import type { components } from "../../gen/api";
-import { live } from "../../stream/store";
 import { valueAt } from "../model/mission";
 import { mission } from "../model/plan";
 
@@ -37,10 +36,6 @@ export async function learnVehicles(): Promise<void> {
 }
 
 export const vehicle = computed(() => known.value.get(mission.value.vehicle));
-/** Id of the vehicle that is on the bus, "" while none has spoken. */
-export const present = computed(
-  () => live.latest("tlm/description")?.vehicleId || live.latest("server/status")?.vehicleId || "",
-);
 
 export const figures = computed<Figures | undefined>(() => {
   const own = vehicle.value;

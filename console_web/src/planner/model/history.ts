@@ -29,6 +29,12 @@ export class History {
     this.at = this.steps.length - 1;
   }
 
+  /** Put another text in the place of the last state. */
+  amend(text: string): void {
+    const step = this.steps[this.at];
+    if (step) this.steps[this.at] = { ...step, text };
+  }
+
   /** What undo would take back; undefined when there is nothing. */
   get back(): string | undefined {
     return this.at > 0 ? this.steps[this.at]?.label : undefined;

@@ -63,7 +63,7 @@ async function draftOfServer(wanted: string): Promise<Draft | undefined> {
   return found && { text: found.yaml, base: "", changed: Date.parse(found.saved) };
 }
 
-/** Open a mission: its draft in this browser where there is one, else the server's, else the stored file. */
+/** Open a mission: its draft in this browser where there is one, else the server's, else the stored file. A shipped one has no draft. */
 export async function openMission(wanted: string): Promise<void> {
   flush();
   const own = drafts.get(wanted);
@@ -73,7 +73,11 @@ export async function openMission(wanted: string): Promise<void> {
   if (answer.ok) {
     const { yaml, sha256, builtin: shipped } = answer.value;
     const hash = sha256 || hashOf(yaml);
-    take(wanted, draft?.text ?? yaml, draft?.base || hash, shipped === true);
+    if (shipped) {
+      take(wanted, yaml, hash, true);
+      return;
+    }
+    take(wanted, draft?.text ?? yaml, draft?.base || hash, false);
     if (draft && !own && draft.text !== yaml)
       done.value = {
         text: `This is the draft that the server kept at ${dateTime(draft.changed / 1000)}, not the stored file.`,
@@ -85,7 +89,7 @@ export async function openMission(wanted: string): Promise<void> {
   }
 }
 
-function taken(): Set<string> {
+export function taken(): Set<string> {
   return new Set([...(missions.peek() ?? []).map((file) => file.name), ...drafts.names()]);
 }
 
@@ -101,11 +105,19 @@ export function newMission(vehicle: string): void {
   begin(to, blank(to, vehicle));
 }
 
-function renamed(from: string, to: string): string {
+export function renamed(from: string, to: string): string {
   return restructured(from, (doc) => {
     put(doc, ["name"], to);
     if (doc.has("title")) put(doc, ["title"], titleOf(to));
   });
+}
+
+/** Drop a draft, here and on the server. */
+export function forget(of: string): void {
+  cancelFlush();
+  drafts.drop(of);
+  draftNames.value = drafts.names();
+  void ask("delete", "/api/missions/{name}/draft", { path: { name: of } });
 }
 
 /** A copy of the open mission under a name of its own. */

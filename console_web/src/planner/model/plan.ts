@@ -78,6 +78,13 @@ export function setText(next: string, label: string, key?: string): void {
   show(stateOf(next, state.peek()));
 }
 
+/** What follows from the last edit, taken back with it. */
+export function amend(next: string): void {
+  if (next === state.peek().text) return;
+  history.amend(next);
+  show(stateOf(next, state.peek()));
+}
+
 /** Change values. Edits with the same key that follow each other are undone as one. */
 export function edit(label: string, edits: readonly Edit[], key?: string): void {
   if (edits.length === 0 || state.peek().broken) return;
