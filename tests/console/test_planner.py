@@ -1,5 +1,6 @@
 """The planner in a real browser: one document in three views, kept, judged and started as it is shown."""
 
+import re
 from collections.abc import Iterator
 from typing import Any
 
@@ -198,6 +199,30 @@ def test_a_hopeless_plan_says_why_and_is_mended_by_one_button(planned: Page, ser
     assert "[26, -1.5, 2.3]" in yaml(planned)
 
 
+def test_what_cannot_work_starts_by_a_second_gesture_that_says_what_was_found(
+    planned: Page, server: ContractServer
+) -> None:
+    """Protects a deliberate try: blocked until what was found is ticked off, and the server is told so."""
+    server.foresee = lambda _: planner.forecast(0, findings=[planner.hopeless(90)])
+    server.reply("POST", "mission/start", {"accepted": True, "reason": ""})
+    planned.reload()
+    expect(planned.get_by_label("Findings")).to_contain_text("can't hold station")
+    planned.get_by_role("button", name="Start …").first.click()
+    sheet = planned.get_by_role("dialog", name="Before the start")
+    hold = sheet.get_by_role("button", name="Hold to start")
+    expect(hold).to_be_disabled()
+    again = sheet.get_by_role("checkbox", name="Start all the same")
+    expect(again).to_have_accessible_name(re.compile("can't hold station in this current"))
+    again.check()
+    expect(hold).to_contain_text("all the same")
+    hold.hover()
+    planned.mouse.down()
+    call = server.wait_for_call("POST", "mission/start")
+    planned.mouse.up()
+    digest = stored("harbour", TEXT)["sha256"]
+    assert call.json() == {"name": "harbour", "sha256": digest, "despite_findings": True}
+
+
 def test_start_wants_to_be_held_and_flies_the_very_text_that_is_shown(
     planned: Page, server: ContractServer
 ) -> None:
@@ -272,7 +297,7 @@ def test_a_variant_is_flown_beside_the_plan(planned: Page, server: ContractServe
 
     def foresee(request: dict[str, Any]) -> list[dict[str, Any]]:
         asked.append(request)
-        return planner.forecast(150 if "overrides" in request else 198)
+        return planner.forecast(150 if request.get("overrides", {}).get("parameters") else 198)
 
     server.foresee = foresee
     planned.get_by_role("button", name="What if").click()

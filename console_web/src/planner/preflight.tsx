@@ -17,6 +17,7 @@ import { vehicle } from "./map/figures";
 import { badge, hash, name, save, saving, trouble, unsaved } from "./model/library";
 import { table } from "./model/mission";
 import { broken, mission, text } from "./model/plan";
+import { Ask } from "./preflight_ask";
 import { preflight } from "./preflight_state";
 import "./preflight.css";
 
@@ -42,8 +43,8 @@ export function Preflight() {
   );
 }
 
-/** Why it can't start; "" when it can. */
-function blocked(): string {
+/** Why it can't start; "" when it can. `despite`: what is hopeless may be tried. */
+function blocked(despite: boolean): string {
   if (broken.value) return "The text can't be read.";
   if (flying.value) return `The vehicle is ${PHASES[phase.value].toLowerCase()}.`;
   if (link.value.look !== "live") return "There is no live vehicle.";
@@ -54,21 +55,24 @@ function blocked(): string {
   if (plan.line.link.value === "open" && !told.value)
     return "The forecast of this very text is not there yet.";
   if ((plan.forecast.value?.problems.length ?? 0) > 0) return "The mission breaks a rule: see Findings.";
-  if (hard.value.length > 0) return "It can't work as it is: see Findings.";
+  if (hard.value.length > 0 && !despite) return "It can't work as it is: see Findings.";
   if (badge.value === "elsewhere") return "The stored file was changed by somebody else: save first.";
   return seedRefused.value ? "The seed is no whole number." : "";
 }
 
 function Sheet() {
   const asked = useSignal(false);
+  const despite = useSignal(false);
   const starting = useSignal(false);
-  const why = blocked();
+  const hopeless = hard.value.length > 0;
+  const why = blocked(despite.value);
   const asks = soft.value.length > 0 && !asked.value;
   const start = async (): Promise<void> => {
     starting.value = true;
     const shown = text.peek();
     const ready = !unsaved.peek() || (await save());
-    if (ready && text.peek() === shown && (await startShown({ name: name.peek(), sha256: hash.peek() }))) {
+    const file = { name: name.peek(), sha256: hash.peek() };
+    if (ready && text.peek() === shown && (await startShown(file, hopeless))) {
       preflight.value = false;
       go("live");
     }
@@ -93,23 +97,18 @@ function Sheet() {
             rest; the vehicle drifts and rises or sinks by its own buoyancy.
           </Row>
         </dl>
-        {soft.value.length > 0 && (
-          <label class="preflight-ask">
-            <input
-              type="checkbox"
-              checked={asked.value}
-              onChange={(event) => (asked.value = event.currentTarget.checked)}
-            />
-            <span>
-              I have read {soft.value.length === 1 ? "the warning" : `the ${soft.value.length} warnings`}:
-              {soft.value.map((finding) => (
-                <span key={finding.code + finding.path} class="preflight-reason">
-                  {finding.reason}
-                </span>
-              ))}
-            </span>
-          </label>
-        )}
+        <Ask
+          look="warning"
+          words={`I have read ${soft.value.length === 1 ? "the warning" : `the ${soft.value.length} warnings`}`}
+          findings={soft.value}
+          ticked={asked}
+        />
+        <Ask
+          look="alarm"
+          words="Start all the same, though it can't work"
+          findings={hard.value}
+          ticked={despite}
+        />
         {notice.value && <RefusalNotice title={notice.value.title} refusal={notice.value.refusal} />}
         {trouble.value && <RefusalNotice title="Not saved." refusal={trouble.value} />}
       </div>
@@ -124,6 +123,7 @@ function Sheet() {
         >
           <PlayIcon />{" "}
           {starting.value ? "Starting" : unsaved.value ? "Hold to save and start" : "Hold to start"}
+          {hopeless && despite.value && !starting.value && " all the same"}
         </HoldButton>
       </footer>
     </>

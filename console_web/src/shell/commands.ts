@@ -56,14 +56,15 @@ export function command(verb: Exclude<Verb, "start">): Promise<boolean> {
   return told(verb, ask("post", "/api/mission/{verb}", { path: { verb }, body: {} }));
 }
 
-/** Fly the mission that is shown: by its hash, so that no other text under the same name can start. */
-export function startShown(shown: { name: string; sha256?: string }, seedGiven?: number): Promise<boolean> {
+/** Fly the mission that is shown: by its hash, so that no other text under the same name can start. `despite`: what was found against it was read. */
+export function startShown(shown: { name: string; sha256?: string }, despite = false): Promise<boolean> {
   const typed = seed.peek().trim();
-  const fixed = seedGiven ?? (typed === "" ? undefined : Number(typed));
+  const fixed = typed === "" ? undefined : Number(typed);
   const body = {
     name: shown.name,
     ...(shown.sha256 ? { sha256: shown.sha256 } : {}),
     ...(fixed === undefined ? {} : { seed: fixed }),
+    ...(despite ? { despite_findings: true } : {}),
   };
   return told("start", ask("post", "/api/mission/start", { body }));
 }
