@@ -192,7 +192,7 @@ class Recorder:
             self._end = None
             self._finish(INTERRUPTED, "another session speaks for the vehicle")
             self._forget()
-        if self._end is not None and _cycle(item) > self._end[0].stamp.cycle:
+        if item.topic == MISSION and self._is_after_end(item):
             self._finish_ended()
         if item.topic in CONTEXT:
             self._context[item.topic] = item
@@ -200,8 +200,12 @@ class Recorder:
         status = item.decode() if item.topic == MISSION else None
         if isinstance(status, pb.MissionStatus) and self._on_status(status, item):
             return
-        if self._run is not None and not self._passed_over(item):
+        if self._run is not None and not self._is_after_end(item) and not self._passed_over(item):
             self._write(item)
+
+    def _is_after_end(self, item: Sample) -> bool:
+        """Whether this is of a later cycle than the run's last, of which some may still be on their way."""
+        return self._end is not None and _cycle(item) > self._end[0].stamp.cycle
 
     def _passed_over(self, item: Sample) -> bool:
         """Whether this is one of the many like cycles of a hold."""
