@@ -28,6 +28,7 @@ SLOW = (
     "tests/server/cli/test_campaign.py",
     "tests/server/cli/test_serve.py",
     "tests/physics/actuators/test_azimuth.py",
+    "tests/server/foresight/test_foresight.py",
     "tests/server/live/test_real_node.py",
     "tests/server/live/test_strangers.py",
     "tests/server/runs/test_recording.py",
