@@ -1,6 +1,7 @@
 """What the node's threads hold does not grow with the length of a run."""
 
 import gc
+import logging
 import tracemalloc
 from pathlib import Path
 
@@ -44,6 +45,7 @@ def test_five_minutes_hold_no_more_memory_than_one():
 
     mission = parse_mission(DOCKING.read_text(encoding="utf-8"), DOCKING.name, vehicle)
     fly(20)  # what is imported and cached once
+    logging.disable()  # pytest keeps each record of a test
     tracemalloc.start()
     try:
         fly(2 * MINUTE)  # a mission to its end and the next begun: what each kind of moment caches once
@@ -51,5 +53,6 @@ def test_five_minutes_hold_no_more_memory_than_one():
         after_five = fly(4 * MINUTE)
     finally:
         tracemalloc.stop()
+        logging.disable(logging.NOTSET)
     assert loop.cycles == 20 + 7 * MINUTE and said[0] > 8 * loop.cycles
     assert after_five - after_one < 20_000
