@@ -18,6 +18,8 @@ from numba.core.codegen import JITCodeLibrary
 from numba.core.imputils import lower_cast
 from numba.core.registry import CPUDispatcher
 
+from bumpless.jit.collector import uncollected
+
 _Compiler: Any = getattr(dispatcher, "_FunctionCompiler", None)
 _USED = {
     CPUDispatcher: ("add_overload", "get_overload", "get_call_template", "enable_caching"),
@@ -137,6 +139,10 @@ class Function(CPUDispatcher):
         self._compiler = _WholeCompiler(py_func, self.targetdescr, self.targetoptions, {}, compiler.Compiler)
         self.part = _Part(py_func, targetoptions)
         self.enable_caching()
+
+    def compile(self, sig: Any) -> Any:
+        with uncollected():
+            return super().compile(sig)
 
     @property
     def _numba_type_(self) -> types.Dispatcher:
