@@ -16,6 +16,7 @@ from bumpless.config.mission.dock import Dock, Motion
 from bumpless.config.mission.notes import Vector3, direction, moment, position
 from bumpless.config.mission.origin import Origin
 from bumpless.config.mission.sea import Environment
+from bumpless.config.mission.sea_floor import SeaFloor
 from bumpless.config.mission.sensing import Sensors
 from bumpless.config.mission.trim import Trim
 from bumpless.config.mission.zones import MOST_ZONES, KeepIn, KeepOut
@@ -177,6 +178,9 @@ class Document:
     origin: Annotated[
         Origin | None, Part("Where the local frame lies on the earth", help="For charts and other programs.")
     ] = None
+    sea_floor: Annotated[
+        SeaFloor | None, Part("Sea floor to keep clear of", help="The autopilot knows nothing of it.")
+    ] = None
 
 
 @model
@@ -185,6 +189,7 @@ class Mission(Document):
 
     source: str = ""  # name of the file
     text: str = field(default="", repr=False)  # the file, whole: its bytes as UTF-8, line ends and all
+    depth_grid: Any = field(default=None, repr=False, compare=False)  # a chart.DepthGrid, once it was found
 
     @property
     def sha256(self) -> str:
