@@ -33,7 +33,10 @@ def from_bytes(data: bytes) -> DepthGrid:
         rows, columns = int(told["rows"]), int(told["columns"])
         if not 0 < rows * columns <= MOST_CELLS:
             raise NotAGrid(f"says that it has {rows} rows of {columns}")
-        unpacked = zlib.decompressobj().decompress(data[at + length :], 4 * rows * columns + 1)
+        packed = zlib.decompressobj()
+        unpacked = packed.decompress(data[at + length :], 4 * rows * columns + 1)
+        if not packed.eof:
+            raise NotAGrid("is a depth grid that is cut off or too long")
         depths = np.frombuffer(unpacked, "<f4").reshape(rows, columns)
         return DepthGrid(depths, **{name: told[name] for name in _PLACES})
     except NotAGrid:

@@ -32,9 +32,10 @@ class Owners(BaseModel):
 
 
 class Placed(BaseModel):
-    """How to read what the file itself does not say."""
+    """What the file is called, and how to read what it does not say itself."""
 
     model_config = ConfigDict(extra="forbid")
+    file_name: str = Field(max_length=200)
     corners: str = Field(
         "",
         max_length=400,
@@ -71,7 +72,7 @@ def tiles(console: Served) -> ChartTiles:
 
 @router.put("/charts/{name}", openapi_extra=_BYTES)
 async def keep(
-    console: Served, request: Request, name: str, file_name: str, placed: Annotated[Placed, Query()]
+    console: Served, request: Request, name: str, placed: Annotated[Placed, Query()]
 ) -> ChartSummary:
     """Read a chart's bytes and keep them, new or in place of the one of that name.
 
@@ -82,9 +83,9 @@ async def keep(
     said = Said(placed.corners, placed.local, placed.depths, placed.epsg)
     data = await request.body()
     try:
-        chart = await run_in_threadpool(console.charts.put, name, data, file_name[:200], said)
+        chart = await run_in_threadpool(console.charts.put, name, data, placed.file_name, said)
     except NotAChart as error:
-        raise Refusal(422, f"{file_name[:200]} {error}") from error
+        raise Refusal(422, f"{placed.file_name} {error}") from error
     return ChartSummary.of(chart)
 
 
