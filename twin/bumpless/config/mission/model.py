@@ -8,6 +8,7 @@ depth is positive down. The same declarations give the published JSON Schema (`m
 import hashlib
 import math
 from dataclasses import field
+from functools import cached_property
 from typing import Annotated, Any, Literal
 
 from bumpless.config.capacity import MAX_FAULTS, MAX_WAYPOINTS
@@ -196,7 +197,7 @@ class Mission(Document):
         """Hash of the file's bytes: the mission's identity."""
         return hashlib.sha256(self.text.encode()).hexdigest()
 
-    @property
+    @cached_property
     def path_ned_m(self) -> tuple[Vector3, ...]:
         """Waypoints, the start first."""
         return (self.start.position_ned_m, *(leg.to_ned_m for leg in self.legs))
