@@ -13,10 +13,11 @@ import { NextStep } from "../next_step";
 import { fitSoon, look, showAll, size, viewport } from "./camera";
 import { figures } from "./figures";
 import { box, cursorAt, gestures, hovered } from "./map_gestures";
+import { drawn } from "./outline";
 import { paintPlan } from "./paint";
 import type { Scene } from "./paint/scene";
 import { Surface } from "./surface";
-import { dockUp, grid, measured, TOOLS, tool } from "./tools";
+import { dockUp, grid, measured, outlining, TOOLS, tool } from "./tools";
 import { type Size, zoomed } from "./viewport";
 import "./plan_map.css";
 
@@ -38,7 +39,9 @@ function scene(extent: Size): Scene {
     vehicle: flownHere(),
     box: box.value,
     measured: measured.value,
-    cursor: tool.value === "measure" ? cursorAt.value : undefined,
+    drawn: drawn.value,
+    waving: tool.value === "wave",
+    cursor: tool.value === "measure" || drawn.value.length > 0 ? cursorAt.value : undefined,
   };
 }
 
@@ -52,7 +55,8 @@ function flownHere(): Scene["vehicle"] {
 }
 
 function cursor(): string {
-  if (hovered.value && tool.value !== "measure") return hovered.value.kind === "split" ? "copy" : "grab";
+  if (hovered.value && tool.value !== "measure" && !outlining.value)
+    return ["split", "side"].includes(hovered.value.kind) ? "copy" : "grab";
   return tool.value === "select" ? "default" : "crosshair";
 }
 
