@@ -2,16 +2,16 @@
 import { untracked, useSignalEffect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { fixed } from "../../lib/format";
-import { flying } from "../../stream/link";
-import { live } from "../../stream/store";
 import { plan } from "../fly/forecast";
 import { forecast as variant } from "../fly/what_if";
 import { onPlanKey } from "../keys";
-import { badge, name } from "../model/library";
+import { name } from "../model/library";
 import { dragging, mission, selected } from "../model/plan";
 import { NextStep } from "../next_step";
 import { fitSoon, look, showAll, size, viewport } from "./camera";
 import { figures } from "./figures";
+import { flownHere } from "./flown_here";
+import { LazySpace, spaceShown, toggleSpace } from "./lazy_space";
 import { box, cursorAt, gestures, hovered } from "./map_gestures";
 import { drawn } from "./outline";
 import { paintPlan } from "./paint";
@@ -45,15 +45,6 @@ function scene(extent: Size): Scene {
   };
 }
 
-/** The vehicle, while it flies the plan that is shown. */
-function flownHere(): Scene["vehicle"] {
-  if (!flying.value || badge.value !== "held" || !live.isFresh("tlm/navigation")) return undefined;
-  const navigation = live.latest("tlm/navigation");
-  if (!navigation?.positionNedM) return undefined;
-  const { x, y } = navigation.positionNedM;
-  return { north: x, east: y, heading: navigation.attitude?.yawDeg ?? 0 };
-}
-
 function cursor(): string {
   if (hovered.value && tool.value !== "measure" && !outlining.value)
     return ["split", "side"].includes(hovered.value.kind) ? "copy" : "grab";
@@ -79,26 +70,29 @@ export function PlanMap() {
   return (
     <section class="panel plan-map" aria-label="Plan from above">
       <MapTools />
-      <div class="plan-water">
-        <Surface
-          name="Plan from above"
-          scene={scene}
-          paint={paintPlan}
-          gestures={gestures}
-          onKey={onPlanKey}
-          onSize={(next) => {
-            size.value = next;
-          }}
-          cursor={cursor()}
-          describedBy="plan-keys"
-          frame={[v.x, v.y, v.sx, v.turn].map((number) => number.toFixed(5)).join(" ")}
-        />
-        <NextStep />
-        <Readout />
-        <p id="plan-keys" class="sr">
-          N and P select the next and previous thing, arrows move it, Page up and down change its depth, W
-          adds a waypoint after it, Delete removes it, question mark lists all keys.
-        </p>
+      <div class="plan-waters">
+        <div class="plan-water">
+          <Surface
+            name="Plan from above"
+            scene={scene}
+            paint={paintPlan}
+            gestures={gestures}
+            onKey={onPlanKey}
+            onSize={(next) => {
+              size.value = next;
+            }}
+            cursor={cursor()}
+            describedBy="plan-keys"
+            frame={[v.x, v.y, v.sx, v.turn].map((number) => number.toFixed(5)).join(" ")}
+          />
+          <NextStep />
+          <Readout />
+          <p id="plan-keys" class="sr">
+            N and P select the next and previous thing, arrows move it, Page up and down change its depth, W
+            adds a waypoint after it, Delete removes it, question mark lists all keys.
+          </p>
+        </div>
+        <LazySpace />
       </div>
     </section>
   );
@@ -146,6 +140,15 @@ function MapTools() {
         </select>
       </label>
       <span class="grow" />
+      <button
+        type="button"
+        class="action small"
+        aria-pressed={spaceShown.value}
+        title="The plan in space, beside the plan from above"
+        onClick={toggleSpace}
+      >
+        3-D
+      </button>
       <button
         type="button"
         class="action small"

@@ -2,9 +2,9 @@
 import { colour } from "../../../lib/theme";
 import type { Outline, Zone } from "../../model/mission";
 import { cornerThing, outlineThing, type Which } from "../../model/things";
-import { middle } from "../../model/zones";
 import { type Ctx, px, type Scene } from "./scene";
-import { dot, text } from "./strokes";
+import { dot } from "./strokes";
+import { text } from "./words";
 
 const HATCH_PX = 9;
 
@@ -66,10 +66,10 @@ function paintZone(c: Ctx, s: Scene, zone: Zone, index: number): void {
   c.strokeStyle = colour("--alarm");
   c.lineWidth = on ? 2.5 : 1.5;
   c.stroke();
-  const [x, y] = px(s, middle(zone.corners));
+  const pixels = zone.corners.map((corner) => px(s, corner));
+  const [x, y] = [Math.min(...pixels.map(([at]) => at)), Math.min(...pixels.map(([, at]) => at))];
   const words = [zone.name || "keep out", depths(zone)].filter(Boolean).join(", ");
-  c.textAlign = "center";
-  text(c, words, x - c.measureText(words).width / 2, y + 4, "--alarm", on ? 700 : 600);
+  text(c, words, x, y - 7, "--alarm", on ? 700 : 600);
   if (on) paintCorners(c, s, zone.corners, index);
 }
 
