@@ -12,7 +12,7 @@ import { fields } from "./forms/fields";
 import { LegsTable } from "./forms/legs_table";
 import { SelectedForm } from "./forms/selected_form";
 import { KEYS, onAnyKey, onClipboard } from "./keys";
-import { Library } from "./library_panel";
+import { Library } from "./library/library_panel";
 import { learn, learnVehicles, vehicle, vehicles } from "./map/figures";
 import { PlanMap } from "./map/plan_map";
 import { copyOnEdit } from "./model/copy_on_edit";
