@@ -349,7 +349,7 @@ def test_the_planner_loads_when_it_is_opened_and_not_before(page: Page, server: 
 def test_a_failed_actuator_is_tried_beside_the_plan_and_taken_into_it(
     planned: Page, server: ContractServer
 ) -> None:
-    """Protects what-if of a failure: the file stays until the variant is made the plan, and undo leads back."""
+    """Protects what-if of a failure: the file stays until it is made the plan, and undo leads back."""
     asked: list[dict[str, Any]] = []
 
     def foresee(request: dict[str, Any]) -> list[dict[str, Any]]:

@@ -20,6 +20,15 @@ export const viewport = computed<Viewport>(() => ({ ...unturned.value, turn: tur
 /** The next forecast shall be in view as a whole: a plan was opened, a dock placed, a finding mended. */
 export const fitSoon = signal(true);
 
+/** What the whole plan in view was like: kept whole when the picture's size changes. */
+let whole: Viewport | undefined;
+
+/** The picture has another size. */
+export function sized(next: Size): void {
+  size.value = next;
+  if (whole !== undefined && whole === unturned.peek()) showAll();
+}
+
 export function look(next: Viewport): void {
   unturned.value = next;
 }
@@ -38,9 +47,7 @@ export function showAll(): void {
   const shown = [...points.map(([n, e]) => [e, n] as const), ...flown];
   const { width, height } = size.peek();
   const below = { width, height: height - HEAD_PX };
-  const whole = fitted(shown, below, Math.min(MARGIN, 0.13 * height), viewport.peek().turn, [
-    LEAST_M,
-    LEAST_M,
-  ]);
-  unturned.value = panned(whole, size.peek(), 0, HEAD_PX / 2);
+  const all = fitted(shown, below, Math.min(MARGIN, 0.13 * height), viewport.peek().turn, [LEAST_M, LEAST_M]);
+  whole = panned(all, size.peek(), 0, HEAD_PX / 2);
+  unturned.value = whole;
 }

@@ -8,7 +8,7 @@ import { onPlanKey } from "../keys";
 import { name } from "../model/library";
 import { dragging, mission, selected } from "../model/plan";
 import { NextStep } from "../next_step";
-import { fitSoon, look, showAll, size, viewport } from "./camera";
+import { fitSoon, look, showAll, size, sized, viewport } from "./camera";
 import { figures } from "./figures";
 import { flownHere } from "./flown_here";
 import { LazySpace, spaceShown, toggleSpace } from "./lazy_space";
@@ -78,9 +78,7 @@ export function PlanMap() {
             paint={paintPlan}
             gestures={gestures}
             onKey={onPlanKey}
-            onSize={(next) => {
-              size.value = next;
-            }}
+            onSize={sized}
             cursor={cursor()}
             describedBy="plan-keys"
             frame={[v.x, v.y, v.sx, v.turn].map((number) => number.toFixed(5)).join(" ")}
