@@ -155,43 +155,40 @@ def figures(legs: int, frames: int, edits: int) -> list[Figure]:
     planner.default_replies(server)
     server.keep_saying(flight.hello())
     server.foresee = lambda _: planner.forecast(198)
-    text, found = zigzag(legs), []
-    north, east, down = waypoint(text, legs // 2)
+    text, rows = zigzag(legs), list[Figure]()
+    leg = legs // 2
+    north, east, down = waypoint(text, leg)
+
+    def drag(page: Page, view: str, name: str, at: tuple[float, float], tab: str) -> None:
+        """One row: frames per second of a drag."""
+        rates, script = rate(page, name, at, frames)
+        title = f"drag in a plan of {legs} legs: {view}, {tab} open, {script:.1f} ms of script an event"
+        rows.append(figure(f"planner_{view}_{tab.lower()}_fps", title, rates, "frames/s", at_least=30))
+        print(told(rows[-1]), flush=True)
+
     executable = next(path for path in map(shutil.which, CHROMIUM_NAMES) if path)
     with sync_playwright() as play:
         browser = play.chromium.launch(executable_path=executable, args=CHROMIUM_FLAGS)
         for tab in ("Details", "Legs", "YAML"):
             with opened(browser, server, text) as page:
                 page.get_by_role("button", name=tab, exact=True).click()
-                found.append(
-                    ("plan", tab, *rate(page, "Plan from above", planner.at(page, north, east), frames))
-                )
-                found.append(
-                    ("profile", tab, *rate(page, "Depth profile", in_profile(page, text, legs // 2), frames))
-                )
+                drag(page, "plan", "Plan from above", planner.at(page, north, east), tab)
+                drag(page, "profile", "Depth profile", in_profile(page, text, leg), tab)
         with opened(browser, server, text, space=True) as page:
-            found.append(
-                ("space", "Details", *rate(page, "Plan in space", seen(page, north, east, down), frames))
-            )
+            drag(page, "space", "Plan in space", seen(page, north, east, down), "Details")
         with opened(browser, server, DOCKING) as page:
             planner.click(page, *DOCKING_AT)
             own = page.evaluate(EDIT, edits)
         browser.close()
     server.stop()
-    rows = [
-        figure(
-            f"planner_{view}_{tab.lower()}_fps",
-            f"drag in a plan of {legs} legs, {view}, {tab} open",
-            rates,
-            "frames/s",
-            at_least=30,
-        )
-        for view, tab, rates, _ in found
-    ]
-    for view, tab, _, script in found:
-        print(f"{view}, {tab} open: {script:.1f} ms of script for each event")
     rows.append(figure("planner_own_ms", "edit to track drawn, the browser's own share", own, "ms"))
+    print(told(rows[-1]))
     return rows
+
+
+def told(one: Figure) -> str:
+    """A row as a line."""
+    return f"{one.title}: {short(one.value)} {one.unit} ({short(one.low)} … {short(one.high)}), {one.goal}"
 
 
 def main() -> None:
@@ -203,10 +200,7 @@ def main() -> None:
     parser.add_argument("--frames", type=int, default=120)
     parser.add_argument("--edits", type=int, default=30)
     options = parser.parse_args()
-    for one in figures(options.legs, options.frames, options.edits):
-        print(
-            f"{one.title}: {short(one.value)} {one.unit} ({short(one.low)} … {short(one.high)}), {one.goal}"
-        )
+    figures(options.legs, options.frames, options.edits)
 
 
 if __name__ == "__main__":
