@@ -38,6 +38,7 @@ from bumpless_server.live.state import State
 from bumpless_server.live.stream import Stream
 from bumpless_server.live.tally import KINDS, Tally, printable
 from bumpless_server.live.tuned import Tuned
+from bumpless_server.plan.charts.store import Charts
 from bumpless_server.plan.library import Library
 from bumpless_server.plan.missions import Missions
 from bumpless_server.plan.presets import Presets
@@ -70,8 +71,9 @@ class Console:
         self.missions = Missions(self.data.missions, vehicle=self.vehicle)
         self.library = Library(self.missions, self.data)
         self.presets = Presets(self.data.presets)
-        self.findings = Findings()
-        self.foresight = Foresight(self._present)  # on the web's loop, which ends it
+        self.charts = Charts(self.data.charts)
+        self.findings = Findings(self.charts)
+        self.foresight = Foresight(self._present, charts=self.data.charts)  # on the web's loop, which ends it
         self.catalogue = Catalogue(self.data.runs, self.data.index)
         self.replays = Replays()
         self.shelf = Shelf(self.data.words, self.data.run_bin)
@@ -220,7 +222,12 @@ class Console:
 
     def left_out(self) -> list[tuple[str, str, str]]:
         """(folder, name, reason) of what lies in the data folder and stands in no list."""
-        folders = {"runs": self.catalogue, "missions": self.missions, "presets": self.presets}
+        folders = {
+            "runs": self.catalogue,
+            "missions": self.missions,
+            "presets": self.presets,
+            "charts": self.charts,
+        }
         return [
             (folder, name, reason)
             for folder, kept in folders.items()

@@ -23,6 +23,7 @@ class DataDir:
         self.drafts = root / "mission_drafts"
         self.marks = root / "mission_marks.json"
         self.presets = root / "presets"
+        self.charts = root / "charts"
         self.limits = root / "limits"
         self.run_bin = root / "run_bin"
         self.words = root / "words.json"
@@ -37,7 +38,7 @@ class DataDir:
         """Make the folders and take the lock. Raises DataDirError."""
         try:
             made = (self.runs, self.missions, self.versions, self.bin, self.drafts, self.presets, self.limits)
-            for folder in made:
+            for folder in (*made, self.charts):
                 folder.mkdir(parents=True, exist_ok=True)
             lock = (self.root / "lock").open("w")
         except OSError as error:

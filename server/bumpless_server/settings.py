@@ -80,6 +80,17 @@ class Settings(BaseSettings):
         description="largest body of a request: mission file, preset, another program's mission",
     )
 
+    tiles: str = Field(
+        default="",
+        pattern=r"^$|^https?://[^\s\"'<>]*\{z\}[^\s\"'<>]*$",
+        max_length=400,
+        description="address of a base map's tiles under plans, with {z}, {x} and {y}; browsers then fetch "
+        "them from there; none: no tiles",
+    )
+    tiles_attribution: str = Field(
+        default="", max_length=200, description="what the tiles' maker wants to be read on the map"
+    )
+
     @field_validator("zenoh_listen", "zenoh_connect", "allowed_hosts", mode="before")
     @classmethod
     def _split_names(cls, value: Any) -> Any:

@@ -164,6 +164,156 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/charts": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Charts
+         * @description All charts; with `mission` those of the site and of that mission.
+         */
+        get: operations["charts_api_charts_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/charts/tiles": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Tiles
+         * @description Where a base map's tiles come from: nowhere, unless the settings name an address.
+         */
+        get: operations["tiles_api_charts_tiles_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/charts/{name}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Keep
+         * @description Read a chart's bytes and keep them, new or in place of the one of that name.
+         *
+         *     GeoJSON, KML and KMZ are drawn; a GeoTIFF with one band of depths or an ESRI ASCII grid is a depth grid; a
+         *     GeoTIFF with colours, or a PNG, JPEG or WebP with `corners`, is a picture. What is none of these is
+         *     refused (422) with the reason.
+         */
+        put: operations["keep_api_charts__name__put"];
+        post?: never;
+        /**
+         * Remove
+         * @description Delete a chart for good; missions that name it as their sea floor then say that it is missing.
+         */
+        delete: operations["remove_api_charts__name__delete"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/charts/{name}/file": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * File
+         * @description The chart's file, byte for byte.
+         */
+        get: operations["file_api_charts__name__file_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/charts/{name}/owners": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Own
+         * @description Give a chart a title, or to the missions that it belongs to.
+         */
+        put: operations["own_api_charts__name__owners_put"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/charts/{name}/picture": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Picture
+         * @description A picture as PNG.
+         */
+        get: operations["picture_api_charts__name__picture_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/charts/{name}/shown": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Show
+         * @description A chart in metres of a mission's frame, whose origin the query tells.
+         *
+         *     A chart that lies on the earth needs it (422 without); one in m of the local frame does not look at it.
+         */
+        get: operations["show_api_charts__name__shown_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/compare": {
         parameters: {
             query?: never;
@@ -1346,6 +1496,123 @@ export interface components {
             time_s: number | null;
         };
         /**
+         * ChartDepths
+         * @description A depth grid for drawing, thinned to some 100 rows: bilinear between the middles of its cells.
+         */
+        ChartDepths: {
+            /** Columns */
+            columns: number;
+            /** Deepest M */
+            deepest_m: number;
+            /** Depth M */
+            depth_m: (number | null)[];
+            /** Least M */
+            least_m: number;
+            /** Rows */
+            rows: number;
+        };
+        /**
+         * ChartFeature
+         * @description A shape of an overlay. An area's first part is its outline, the others are holes in it.
+         */
+        ChartFeature: {
+            /** Colour */
+            colour: string;
+            /**
+             * Kind
+             * @enum {string}
+             */
+            kind: "point" | "line" | "area";
+            /** Name */
+            name: string;
+            /** Parts */
+            parts: [
+                number,
+                number
+            ][][];
+        };
+        /**
+         * ChartShown
+         * @description A chart in the frame of a mission: the one of its three contents that it has.
+         */
+        ChartShown: {
+            /** Corners */
+            corners: [
+                [
+                    number,
+                    number
+                ],
+                [
+                    number,
+                    number
+                ],
+                [
+                    number,
+                    number
+                ],
+                [
+                    number,
+                    number
+                ]
+            ] | null;
+            depths: components["schemas"]["ChartDepths"] | null;
+            /** Features */
+            features: components["schemas"]["ChartFeature"][];
+            /**
+             * Kind
+             * @enum {string}
+             */
+            kind: "features" | "picture" | "depths";
+            /** Name */
+            name: string;
+            /** Picture */
+            picture: string;
+        };
+        /**
+         * ChartSummary
+         * @description A stored chart. `geographic`: it can be shown only where the mission has an origin.
+         */
+        ChartSummary: {
+            /** File Name */
+            file_name: string;
+            /** Format */
+            format: string;
+            /** Geographic */
+            geographic: boolean;
+            /**
+             * Kind
+             * @enum {string}
+             */
+            kind: "features" | "picture" | "depths";
+            /** Missions */
+            missions: string[];
+            /** Name */
+            name: string;
+            /** Notes */
+            notes: string[];
+            /** Sha256 */
+            sha256: string;
+            /** Size */
+            size: number;
+            /**
+             * Stored
+             * Format: date-time
+             */
+            stored: string;
+            /** Title */
+            title: string;
+        };
+        /**
+         * ChartTiles
+         * @description Where tiles of a base map come from; "" when none are wanted, as is the default.
+         */
+        ChartTiles: {
+            /** Address */
+            address: string;
+            /** Attribution */
+            attribution: string;
+        };
+        /**
          * CheckAnswer
          * @description Problems keep a file from being read; findings tell what of the plan can't work, or may not.
          */
@@ -1757,6 +2024,7 @@ export interface components {
         ForesightFindings: {
             /** Findings */
             findings: components["schemas"]["ForesightFinding"][];
+            floor: components["schemas"]["ForesightFloor"] | null;
             /** Id */
             id: number;
             /**
@@ -1770,6 +2038,8 @@ export interface components {
          * @description One drawn flight: how it ended and at most 60 points of its way.
          */
         ForesightFlight: {
+            /** Clearance M */
+            clearance_m: number | null;
             /** Closest M */
             closest_m: number;
             /** Depth M */
@@ -1786,6 +2056,26 @@ export interface components {
             outcome: string;
             /** Seed */
             seed: number;
+        };
+        /**
+         * ForesightFloor
+         * @description The sea floor along the planned legs, at most 600 places of them.
+         */
+        ForesightFloor: {
+            /** Along M */
+            along_m: number[];
+            /** Depth M */
+            depth_m: number[];
+            /** East M */
+            east_m: number[];
+            /** Floor M */
+            floor_m: (number | null)[];
+            /** Least M */
+            least_m: number | null;
+            /** North M */
+            north_m: number[];
+            /** Wanted M */
+            wanted_m: number;
         };
         /**
          * ForesightMend
@@ -1820,6 +2110,8 @@ export interface components {
              * @enum {string}
              */
             kind: "nominal";
+            /** Least Clearance M */
+            least_clearance_m: number | null;
             /** Length M */
             length_m: number;
             outcome: components["schemas"]["ForesightOutcome"];
@@ -1936,12 +2228,16 @@ export interface components {
          * @description The flight's truth, at most 600 cycles of it.
          */
         ForesightTrack: {
+            /** Clearance M */
+            clearance_m: (number | null)[];
             /** Depth Error M */
             depth_error_m: number[];
             /** Depth M */
             depth_m: number[];
             /** East M */
             east_m: number[];
+            /** Floor M */
+            floor_m: (number | null)[];
             /** Heading Deg */
             heading_deg: number[];
             /** Margin */
@@ -2482,6 +2778,16 @@ export interface components {
              * @default null
              */
             vehicle?: string | null;
+        };
+        /**
+         * Owners
+         * @description Which missions a chart belongs to; none: the site.
+         */
+        Owners: {
+            /** Missions */
+            missions?: string[] | null;
+            /** Title */
+            title?: string | null;
         };
         /**
          * Parameters
@@ -3488,6 +3794,340 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content?: never;
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    charts_api_charts_get: {
+        parameters: {
+            query?: {
+                mission?: string | null;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ChartSummary"][];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    tiles_api_charts_tiles_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ChartTiles"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    keep_api_charts__name__put: {
+        parameters: {
+            query: {
+                file_name: string;
+                /** @description of a picture: four places 'a,b;a,b;a,b;a,b' of its top left, top right, bottom right and bottom left; latitude,longitude or, with local, north,east in m */
+                corners?: string;
+                /** @description numbers are m of the missions' own frame, not on the earth */
+                local?: boolean;
+                /** @description system of a grid's x and y where the file does not say: its EPSG code */
+                epsg?: number | null;
+                /** @description of a grid: numbers are depths (down) or heights (up); as they look when left out */
+                depths?: "" | "down" | "up";
+            };
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/octet-stream": string;
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ChartSummary"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    remove_api_charts__name__delete: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    file_api_charts__name__file_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    own_api_charts__name__owners_put: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["Owners"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ChartSummary"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    picture_api_charts__name__picture_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    show_api_charts__name__shown_get: {
+        parameters: {
+            query?: {
+                latitude_deg?: number | null;
+                longitude_deg?: number | null;
+                heading_deg?: number;
+            };
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ChartShown"];
+                };
             };
             /** @description Refused, with the reason */
             "4XX": {

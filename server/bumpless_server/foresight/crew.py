@@ -6,6 +6,7 @@ import logging
 import os
 import sys
 from collections.abc import Callable
+from pathlib import Path
 
 from bumpless_server.foresight.tasks import Head, Task
 
@@ -20,10 +21,11 @@ Heard = Callable[["Worker", Head, bytes], None]
 class Worker:
     """One process. `heard` is told each answer, `ended` that the process is gone; both on the loop."""
 
-    def __init__(self, heard: Heard, ended: Callable[["Worker"], None]) -> None:
+    def __init__(self, heard: Heard, ended: Callable[["Worker"], None], charts: Path | None = None) -> None:
         self.task: Task | None = None  # what it does now
         self.stopping = False  # told to give its task up
         self._heard, self._ended = heard, ended
+        self._options = () if charts is None else (str(charts),)
         self._process: asyncio.subprocess.Process | None = None
         self._reading: asyncio.Task[None] | None = None
 
@@ -31,6 +33,7 @@ class Worker:
         """Start the process. Raises OSError."""
         self._process = await asyncio.create_subprocess_exec(
             *COMMAND,
+            *self._options,
             stdin=asyncio.subprocess.PIPE,
             stdout=asyncio.subprocess.PIPE,
             limit=LONGEST_LINE,

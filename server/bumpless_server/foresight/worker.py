@@ -1,4 +1,4 @@
-"""A worker: `python -m bumpless_server.foresight.worker`. It flies what the server asks on its input.
+"""A worker: `python -m bumpless_server.foresight.worker [CHARTS]`. It flies what its input asks.
 
 It gives way to every other process, keeps its compiled code warm, and ends with its input, so that it never
 outlives its server.
@@ -9,6 +9,7 @@ import select
 import signal
 import sys
 from collections.abc import Callable
+from pathlib import Path
 
 from bumpless_server.foresight.tasks import Head, Task
 
@@ -36,11 +37,14 @@ class Line:
         return line
 
 
-def serve(lines: Line, tell: Callable[[Head, str], None]) -> None:
-    """Carry out tasks until the input ends; the last of several that wait is the one that counts."""
+def serve(lines: Line, tell: Callable[[Head, str], None], charts: Path | None = None) -> None:
+    """Carry out tasks until the input ends; the last of several that wait is the one that counts.
+
+    charts: folder of the depth grids that missions may name.
+    """
     from bumpless_server.foresight.work import GivenUp, Work
 
-    work = Work(lines.waits)
+    work = Work(lines.waits, charts)
     while line := lines.next():
         if line == b"stop":  # what it should stop is over already
             continue
@@ -68,7 +72,7 @@ def main() -> None:
             rest = rest[os.write(out, rest) :]
 
     try:
-        serve(Line(0), tell)
+        serve(Line(0), tell, Path(sys.argv[1]) if len(sys.argv) > 1 else None)
     except BrokenPipeError:
         sys.exit(0)
 

@@ -17,6 +17,7 @@ from bumpless_server.web.guard import Guard
 from bumpless_server.web.guesses import Guesses
 from bumpless_server.web.routes import (
     alarms,
+    charts,
     compare,
     declared,
     diagnostics,
@@ -50,6 +51,7 @@ ROUTERS = tuple(
         exchange,
         library,
         planning,
+        charts,
         parameters,
         declared,
         compare,
