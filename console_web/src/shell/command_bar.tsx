@@ -8,6 +8,7 @@ import { flying, link, moving, phase } from "../stream/link";
 import { PHASES } from "../stream/phase";
 import { foreign, ownFirst } from "../stream/present";
 import { live } from "../stream/store";
+import { ActButton } from "../ui/act_button";
 import { endingNamed } from "../ui/endings";
 import { HoldButton } from "../ui/hold_button";
 import { PauseIcon, PlayIcon, StopIcon } from "../ui/icons";
@@ -51,17 +52,16 @@ export function CommandBar() {
       <section class="commandbar" aria-label="Mission control" ref={bar}>
         <Progress />
         <span class="grow" />
-        {!flying.value && view.value !== STARTS_ITSELF && <Chooser disabled={!ready} />}
+        {!flying.value && view.value !== STARTS_ITSELF && <Chooser waiting={!ready} />}
         {flying.value && (
-          <button
-            type="button"
+          <ActButton
             class="action"
-            disabled={!ready}
+            waiting={!ready}
             title={paused ? "Go on with the mission" : "Brake and hold station here; the mission waits"}
-            onClick={() => void command(paused ? "resume" : "pause")}
+            onAct={() => void command(paused ? "resume" : "pause")}
           >
             {paused ? <PlayIcon /> : <PauseIcon />} {paused ? "Resume" : "Hold"}
-          </button>
+          </ActButton>
         )}
         <HoldButton
           name="Abort mission"
@@ -195,7 +195,7 @@ function Elapsed({ elapsedS, durationS, heldS }: { elapsedS: number; durationS: 
   );
 }
 
-function Chooser({ disabled }: { disabled: boolean }) {
+function Chooser({ waiting }: { waiting: boolean }) {
   const list = ownFirst(missions.value ?? []);
   return (
     <form
@@ -233,14 +233,14 @@ function Chooser({ disabled }: { disabled: boolean }) {
           }}
         />
       </label>
-      <button
+      <ActButton
         type="submit"
         class="action primary"
-        disabled={disabled || choosing.value || !mission.value || misfit.value !== "" || seedRefused.value}
+        waiting={waiting || choosing.value || !mission.value || misfit.value !== "" || seedRefused.value}
         title={misfit.value ? `This mission is for ${misfit.value}` : undefined}
       >
         <PlayIcon /> {busy.value === "start" ? "Starting" : "Start"}
-      </button>
+      </ActButton>
     </form>
   );
 }
