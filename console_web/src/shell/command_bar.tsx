@@ -4,6 +4,7 @@ import { useRef } from "preact/hooks";
 import { missions } from "../api/resources";
 import { type Event, MissionPhase } from "../gen/bumpless_pb";
 import { clock } from "../lib/format";
+import { ARRANGEMENTS, arrange, arrangement } from "../live/arrangement";
 import { flying, link, moving, phase } from "../stream/link";
 import { PHASES } from "../stream/phase";
 import { foreign, ownFirst } from "../stream/present";
@@ -14,6 +15,7 @@ import { HoldButton } from "../ui/hold_button";
 import { PauseIcon, PlayIcon, StopIcon } from "../ui/icons";
 import { useKeptFocus } from "../ui/keep_focus";
 import { ProblemTable, RefusalNotice } from "../ui/refusal";
+import { Segments } from "../ui/segments";
 import "./command_bar.css";
 import {
   busy,
@@ -52,6 +54,16 @@ export function CommandBar() {
       <section class="commandbar" aria-label="Mission control" ref={bar}>
         <Progress />
         <span class="grow" />
+        {view.value === "live" && (
+          <span data-aside>
+            <Segments
+              name="Arrangement"
+              choices={ARRANGEMENTS}
+              chosen={arrangement.value}
+              onChoose={arrange}
+            />
+          </span>
+        )}
         {!flying.value && view.value !== STARTS_ITSELF && <Chooser waiting={!ready} />}
         {flying.value && (
           <ActButton

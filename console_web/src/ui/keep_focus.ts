@@ -11,7 +11,7 @@ function lost(): boolean {
 
 /**
  * When the focused control of `box` went or was disabled, the first that can be used takes the focus; when the
- * whole box went, the view does. Looks at the page itself, not at renders: the control may go with any
+ * whole box went, the view does. What is marked as `data-aside` was not what was being done. Looks at the page itself, not at renders: the control may go with any
  * component inside, in any order.
  */
 export function useKeptFocus(box: RefObject<HTMLElement | null>): void {
@@ -31,7 +31,8 @@ export function useKeptFocus(box: RefObject<HTMLElement | null>): void {
   useLayoutEffect(() => {
     const keep = (): void => {
       if (!within.current || !lost()) return;
-      const next = box.current?.querySelector<HTMLElement>(CONTROLS);
+      const all = box.current?.querySelectorAll<HTMLElement>(CONTROLS) ?? [];
+      const next = [...all].find((control) => !control.closest("[data-aside]"));
       if (next) next.focus();
       else if (!box.current) document.querySelector<HTMLElement>("main:not([hidden])")?.focus();
     };
