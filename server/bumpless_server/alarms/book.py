@@ -25,7 +25,7 @@ PRIORITIES = {
     "disk": 4,
     "clock_offset": 5,
 }
-OF_SEVERITY = {pb.SEVERITY_ALARM: 2, pb.SEVERITY_WARNING: 3}
+OF_SEVERITY: dict[int, int] = {pb.SEVERITY_ALARM: 2, pb.SEVERITY_WARNING: 3}
 KEPT = 500  # alarms that are over, in the history
 
 

@@ -65,4 +65,4 @@ def test_the_most_urgent_stands_first_whatever_came_last() -> None:
     ):
         book.raise_(code, severity, code, now)
     assert [a.priority for a in book.open()] == [1, 2, 3, 4, 5]
-    assert [a.message().priority for a in book.open()][0] == 1
+    assert book.open()[0].message().priority == 1
