@@ -95,6 +95,7 @@ class Console:
             lambda: read_limits(self.data.limits / f"{settings.vehicle_id}.toml"),
             self.data.alarms,
             self._tell,
+            self.data.runs,
         )
         self.stream = Stream(self.state)
         self.tally, self.clock, self.speaker = Tally(self._set_aside), VehicleClock(), Speaker()

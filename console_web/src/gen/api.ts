@@ -24,6 +24,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/alarms/limits": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Limits
+         * @description How far the vehicle may be off before somebody is told: of its file, else the defaults.
+         */
+        get: operations["limits_api_alarms_limits_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/alarms/{alarm}/acknowledge": {
         parameters: {
             query?: never;
@@ -1218,6 +1238,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/vehicle/reach": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Vehicle Reach
+         * @description What its actuators can do at a speed through the water: the attainable force and moment sets.
+         */
+        get: operations["vehicle_reach_api_vehicle_reach_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
 }
 export type webhooks = Record<string, never>;
 export interface components {
@@ -1272,6 +1312,11 @@ export interface components {
              * @default
              */
             id: string;
+            /**
+             * Priority
+             * @default 0
+             */
+            priority: number;
             /**
              * Raised Ns
              * @default 0
@@ -2304,6 +2349,61 @@ export interface components {
             reason: string;
         };
         /**
+         * Limits
+         * @description Limits of what is watched. An error counts once it has lasted `for_s`.
+         */
+        Limits: {
+            /**
+             * After Switch S
+             * @default 8
+             */
+            after_switch_s?: number;
+            /** Area M */
+            area_m?: number | null;
+            /**
+             * Clock S
+             * @default 60
+             */
+            clock_s?: number;
+            /**
+             * Cross Track M
+             * @default 1.5
+             */
+            cross_track_m?: number;
+            /** Deepest M */
+            deepest_m?: number | null;
+            /**
+             * Depth M
+             * @default 0.3
+             */
+            depth_m?: number;
+            /**
+             * Disk Mb
+             * @default 2000
+             */
+            disk_mb?: number;
+            /**
+             * For S
+             * @default 10
+             */
+            for_s?: number;
+            /**
+             * Heading Deg
+             * @default 12
+             */
+            heading_deg?: number;
+            /**
+             * Saturated S
+             * @default 5
+             */
+            saturated_s?: number;
+            /**
+             * Speed Mps
+             * @default 0.25
+             */
+            speed_mps?: number;
+        };
+        /**
          * Marked
          * @description What to note of a mission; null leaves as it is.
          */
@@ -2907,6 +3007,27 @@ export interface components {
             path: string;
             /** Unit */
             unit: string;
+        };
+        /**
+         * ReachAnswer
+         * @description Attainable force and moment sets at a speed. A force is inside when every row of `force` times it is at
+         *     most 1, and so with moments; the largest of the rows times a demand is the share of the set that it uses.
+         */
+        ReachAnswer: {
+            /** Force */
+            force: number[][];
+            /** High */
+            high: number[];
+            /** Low */
+            low: number[];
+            /** Moment */
+            moment: number[][];
+            /** Most */
+            most: number[];
+            /** Sha256 */
+            sha256: string;
+            /** Surge Mps */
+            surge_mps: number;
         };
         /**
          * Refused
@@ -3517,6 +3638,44 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["AlarmsAnswer"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    limits_api_alarms_limits_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Limits"];
                 };
             };
             /** @description Refused, with the reason */
@@ -6218,6 +6377,46 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["VehicleAnswer"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    vehicle_reach_api_vehicle_reach_get: {
+        parameters: {
+            query?: {
+                surge_mps?: number;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ReachAnswer"];
                 };
             };
             /** @description Refused, with the reason */

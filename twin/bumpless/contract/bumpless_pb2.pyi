@@ -907,7 +907,7 @@ class StreamFrame(_message.Message):
     def __init__(self, server_time_ns: _Optional[int] = ..., messages: _Optional[_Iterable[_Union[StreamMessage, _Mapping]]] = ..., past: _Optional[bool] = ...) -> None: ...
 
 class Alarm(_message.Message):
-    __slots__ = ("id", "code", "severity", "text", "raised_ns", "returned_ns", "acknowledged_ns", "acknowledged_by", "count", "shelved_until_ns", "details")
+    __slots__ = ("id", "code", "severity", "text", "raised_ns", "returned_ns", "acknowledged_ns", "acknowledged_by", "count", "shelved_until_ns", "details", "priority")
     class DetailsEntry(_message.Message):
         __slots__ = ("key", "value")
         KEY_FIELD_NUMBER: _ClassVar[int]
@@ -926,6 +926,7 @@ class Alarm(_message.Message):
     COUNT_FIELD_NUMBER: _ClassVar[int]
     SHELVED_UNTIL_NS_FIELD_NUMBER: _ClassVar[int]
     DETAILS_FIELD_NUMBER: _ClassVar[int]
+    PRIORITY_FIELD_NUMBER: _ClassVar[int]
     id: str
     code: str
     severity: Severity
@@ -937,7 +938,8 @@ class Alarm(_message.Message):
     count: int
     shelved_until_ns: int
     details: _containers.ScalarMap[str, str]
-    def __init__(self, id: _Optional[str] = ..., code: _Optional[str] = ..., severity: _Optional[_Union[Severity, str]] = ..., text: _Optional[str] = ..., raised_ns: _Optional[int] = ..., returned_ns: _Optional[int] = ..., acknowledged_ns: _Optional[int] = ..., acknowledged_by: _Optional[str] = ..., count: _Optional[int] = ..., shelved_until_ns: _Optional[int] = ..., details: _Optional[_Mapping[str, str]] = ...) -> None: ...
+    priority: int
+    def __init__(self, id: _Optional[str] = ..., code: _Optional[str] = ..., severity: _Optional[_Union[Severity, str]] = ..., text: _Optional[str] = ..., raised_ns: _Optional[int] = ..., returned_ns: _Optional[int] = ..., acknowledged_ns: _Optional[int] = ..., acknowledged_by: _Optional[str] = ..., count: _Optional[int] = ..., shelved_until_ns: _Optional[int] = ..., details: _Optional[_Mapping[str, str]] = ..., priority: _Optional[int] = ...) -> None: ...
 
 class Alarms(_message.Message):
     __slots__ = ("alarms",)
