@@ -38,12 +38,13 @@ def compare(
     except (GateError, ValueError, OSError) as error:
         typer.echo(f"bumpless compare: {error}", err=True)
         raise typer.Exit(MISUSED) from error
-    typer.echo(_json(comparison, verdicts) if as_json else _text(comparison, verdicts))
+    typer.echo(json_of(comparison, verdicts) if as_json else text_of(comparison, verdicts))
     if not all(verdict.passed for verdict in verdicts):
         raise typer.Exit(GATE_FAILED)
 
 
-def _text(comparison: "Comparison", verdicts: "list[Verdict]") -> str:
+def text_of(comparison: "Comparison", verdicts: "list[Verdict]") -> str:
+    """For a terminal."""
     ids = [subject.info.id for subject in comparison.subjects]
     lines = [f"{chr(65 + k)}  {name}: {s.outcome.replace('_', ' ') or 'not judged'}" for k, (name, s) in
              enumerate(zip(ids, comparison.subjects, strict=True))]  # fmt: skip
@@ -66,7 +67,8 @@ def _text(comparison: "Comparison", verdicts: "list[Verdict]") -> str:
     return "\n".join(lines)
 
 
-def _json(comparison: "Comparison", verdicts: "list[Verdict]") -> str:
+def json_of(comparison: "Comparison", verdicts: "list[Verdict]") -> str:
+    """For programs."""
     told = {
         "runs": [{"id": s.info.id, "outcome": s.outcome, "reason": s.reason} for s in comparison.subjects],
         "figures": [

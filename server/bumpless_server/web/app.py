@@ -21,6 +21,7 @@ from bumpless_server.web.routes import (
     declared,
     diagnostics,
     exchange,
+    export,
     findings,
     foresight,
     help,
@@ -29,12 +30,14 @@ from bumpless_server.web.routes import (
     page,
     parameters,
     planning,
+    refly,
     replay,
     report,
     runs,
     shelf,
     status,
     stream,
+    what_if,
 )
 
 log = logging.getLogger(__name__)
@@ -55,6 +58,9 @@ ROUTERS = tuple(
         compare,
         replay,
         report,
+        export,
+        refly,
+        what_if,
         runs,
         shelf,
         stream,
@@ -75,6 +81,7 @@ def create_app(settings: Settings, console: Console | None = None) -> FastAPI:
                 await run_in_threadpool(console.start)
                 stack.push_async_callback(run_in_threadpool, console.stop)
             stack.push_async_callback(console.foresight.stop)
+            stack.push_async_callback(console.what_if.stop)
             if app.state.scene is not None:
                 await _start(app.state.scene, stack)
             yield
