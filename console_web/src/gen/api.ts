@@ -264,6 +264,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/foxglove_layout.json": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Layout
+         * @description A layout for our logs in Foxglove and Lichtblick.
+         */
+        get: operations["layout_api_foxglove_layout_json_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/health": {
         parameters: {
             query?: never;
@@ -705,8 +725,30 @@ export interface paths {
         /**
          * Change
          * @description Ask the vehicle to fly with these, all of them; `If-Match` refuses a change of an old revision.
+         *
+         *     `X-Reason` says why, percent-encoded.
          */
         put: operations["change_api_parameters_put"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/parameters/revisions": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Revisions
+         * @description What was changed on this vehicle from here, newest first: by whom, why, what, and all that was set.
+         */
+        get: operations["revisions_api_parameters_revisions_get"];
+        put?: never;
         post?: never;
         delete?: never;
         options?: never;
@@ -866,6 +908,28 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/runs/{run}/export": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Export
+         * @description The run, or its mission times `from_s` to `to_s`, as a whole file: also of one being recorded.
+         *
+         *     `signal`: of a table, a column or a pattern such as "navigation.*"; all columns without.
+         */
+        get: operations["export_api_runs__run__export_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/runs/{run}/frames": {
         parameters: {
             query?: never;
@@ -922,6 +986,26 @@ export interface paths {
         get: operations["metrics_api_runs__run__metrics_get"];
         put?: never;
         post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/runs/{run}/refly": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Refly
+         * @description Fly it again in a process of low priority; the answer comes when the new run is in the list.
+         */
+        post: operations["refly_api_runs__run__refly_post"];
         delete?: never;
         options?: never;
         head?: never;
@@ -1068,6 +1152,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/what-if": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * What If
+         * @description Fly the draft, and what is in force, from the vehicle's present state; nothing is changed on it.
+         */
+        post: operations["what_if_api_what_if_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
 }
 export type webhooks = Record<string, never>;
 export interface components {
@@ -1087,6 +1191,78 @@ export interface components {
             name: string;
             /** Unit */
             unit: string;
+        };
+        /**
+         * Again
+         * @description What shall differ from the run; nothing: only to see whether it flies the same.
+         */
+        Again: {
+            /**
+             * As Seen
+             * @description with the current and target that the vehicle saw; null: where nobody knows the truth
+             */
+            as_seen?: boolean | null;
+            /**
+             * Parameters
+             * @description by path: {"hover.lambda": 0.01}
+             */
+            parameters?: {
+                [key: string]: unknown;
+            };
+            /** Seed */
+            seed?: number | null;
+            /**
+             * Vehicle
+             * @description another vehicle's id
+             */
+            vehicle?: string | null;
+        };
+        /**
+         * Ahead
+         * @description A change of mode on the way.
+         */
+        Ahead: {
+            /** From */
+            from: string;
+            /** Time S */
+            time_s: number;
+            /** To */
+            to: string;
+        };
+        /**
+         * AheadFigures
+         * @description What two flights are compared by; less is better, but for the range at the end.
+         */
+        AheadFigures: {
+            /** Command Step Max */
+            command_step_max: number;
+            /** Cross Track Max M */
+            cross_track_max_m: number;
+            /** Depth Error Max M */
+            depth_error_max_m: number;
+            /** Range End M */
+            range_end_m: number;
+            /** Residual Rms */
+            residual_rms: number;
+            /** Saturated Share */
+            saturated_share: number;
+        };
+        /**
+         * AheadFlight
+         * @description One flight from where the vehicle was.
+         */
+        AheadFlight: {
+            /** Columns */
+            columns: {
+                [key: string]: (number | null)[];
+            };
+            figures: components["schemas"]["AheadFigures"];
+            /** Mode */
+            mode: string[];
+            /** Switches */
+            switches: components["schemas"]["Ahead"][];
+            /** Time S */
+            time_s: number[];
         };
         /**
          * Alarm
@@ -2603,6 +2779,14 @@ export interface components {
             unit: string;
         };
         /**
+         * Reflown
+         * @description The new run.
+         */
+        Reflown: {
+            /** Id */
+            id: string;
+        };
+        /**
          * Refused
          * @description Why it was not done: one sentence, and each problem with its place.
          */
@@ -2629,6 +2813,33 @@ export interface components {
             last_s: number | null;
             /** Run */
             run: string;
+        };
+        /**
+         * Revision
+         * @description One change that the vehicle accepted.
+         */
+        Revision: {
+            /**
+             * At
+             * Format: date-time
+             */
+            at: string;
+            /** Author */
+            author: string;
+            /** Changes */
+            changes: {
+                [key: string]: unknown[];
+            };
+            /** Parameters */
+            parameters: {
+                [key: string]: unknown;
+            };
+            /** Reason */
+            reason: string;
+            /** Revision */
+            revision: number;
+            /** Session */
+            session: string;
         };
         /**
          * RunAnswer
@@ -3186,6 +3397,38 @@ export interface components {
             /** Yaml */
             yaml: string;
         };
+        /**
+         * WhatIf
+         * @description As it is, and with the draft; both from the same moment.
+         */
+        WhatIf: {
+            as_it_is: components["schemas"]["AheadFlight"];
+            draft: components["schemas"]["AheadFlight"];
+            /** From S */
+            from_s: number;
+            /** Revision */
+            revision: number;
+            /** Run */
+            run: string;
+        };
+        /**
+         * WhatIfRequest
+         * @description A draft, as `PUT /api/parameters` takes it, and how far ahead to fly.
+         */
+        WhatIfRequest: {
+            /**
+             * Horizon S
+             * @default 60
+             */
+            horizon_s?: number;
+            /**
+             * Parameters
+             * @description all live-tunable parameters
+             */
+            parameters: {
+                [key: string]: unknown;
+            };
+        };
     };
     responses: never;
     parameters: never;
@@ -3683,6 +3926,44 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["FieldEntry"][];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    layout_api_foxglove_layout_json_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": unknown;
                 };
             };
             /** @description Refused, with the reason */
@@ -4813,6 +5094,44 @@ export interface operations {
             };
         };
     };
+    revisions_api_parameters_revisions_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Revision"][];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
     vehicles_api_planning_get: {
         parameters: {
             query?: never;
@@ -5205,6 +5524,54 @@ export interface operations {
             };
         };
     };
+    export_api_runs__run__export_get: {
+        parameters: {
+            query?: {
+                as?: "mcap" | "csv" | "parquet" | "alog";
+                from_s?: number | null;
+                to_s?: number | null;
+                signal?: string[];
+            };
+            header?: never;
+            path: {
+                run: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/vnd.apache.parquet": unknown;
+                    "application/x-mcap": unknown;
+                    "text/csv": unknown;
+                    "text/plain": unknown;
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
     frames_api_runs__run__frames_get: {
         parameters: {
             query: {
@@ -5307,6 +5674,50 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["Metrics"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    refly_api_runs__run__refly_post: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                run: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["Again"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Reflown"];
                 };
             };
             /** @description Refused, with the reason */
@@ -5578,6 +5989,48 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["VehicleAnswer"];
+                };
+            };
+            /** @description Refused, with the reason */
+            "4XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, too much waits, no room */
+            "5XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    what_if_api_what_if_post: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["WhatIfRequest"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["WhatIf"];
                 };
             };
             /** @description Refused, with the reason */

@@ -185,7 +185,7 @@ class Foresight:
         self._workers.remove(worker)
         task = worker.task
         client, job = self._doing.pop(task.number, (None, None)) if task is not None else (None, None)
-        if task is not None and task.kind == "warm":  # it never came up, and the next would not either
+        if isinstance(task, Task) and task.kind == "warm":  # it never came up, and the next would not either
             log.error("a foresight worker ended before it was ready")
             for one in self._clients:
                 self._fail(one, one.job, "no process can be started that flies it")

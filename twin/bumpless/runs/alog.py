@@ -25,7 +25,7 @@ def write_alog(run: Run, path: Path, part: Range) -> int:
         _head(file, path.name.removesuffix(".part"), started_s)
         for _, message in run.messages():
             at = message.stamp.mission_time_s  # type: ignore[attr-defined]
-            if not part.from_s <= at <= part.to_s:
+            if not part.holds(at):
                 continue
             for name, value in _lines(message):
                 if name == "BUMPLESS_MODE":

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from math import inf
 from pathlib import Path
+from typing import Any
 
 from mcap.records import Attachment, Channel, Header, McapRecord, Message, Metadata, Schema
 
@@ -16,6 +17,9 @@ from bumpless.runs.chunks import CUT, records_of
 from bumpless.runs.read import log_messages
 from bumpless.runs.repair import Copy
 from bumpless.runs.replay import PACE
+
+
+ROUNDING_S = 1e-3  # times of cycles are sums of periods, and miss by rounding
 
 
 @dataclass(frozen=True)
@@ -36,6 +40,10 @@ class Range:
         if not colon or not found.from_s <= found.to_s:
             raise ValueError(f"range {text!r}: must be FROM:TO in seconds, such as 10:20")
         return found
+
+    def holds(self, time_s: Any) -> Any:
+        """Whether a time, or each of an array, belongs to it."""
+        return (time_s >= self.from_s - ROUNDING_S) & (time_s <= self.to_s + ROUNDING_S)
 
     @property
     def all(self) -> bool:
@@ -64,8 +72,8 @@ def cut(source: Path, target: Path, part: Range) -> int:
     whole run don't. Raises ValueError when `source` is no log or has nothing in that range.
     """
     start = 0 if part.all else start_ns_of(source)
-    first = -inf if part.from_s == -inf else start + part.from_s * 1e9
-    last = inf if part.to_s == inf else start + part.to_s * 1e9
+    first = -inf if part.from_s == -inf else start + (part.from_s - ROUNDING_S) * 1e9
+    last = inf if part.to_s == inf else start + (part.to_s + ROUNDING_S) * 1e9
     partial = target.with_name(target.name + ".part")
     try:
         with source.open("rb") as file, partial.open("wb") as out:

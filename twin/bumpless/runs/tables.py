@@ -23,8 +23,7 @@ def chosen(run: Run, signals: Sequence[str], part: Range) -> Table:
     Raises ValueError for a name or pattern that chooses nothing, and for a range without a cycle.
     """
     table = run.table()
-    time = table["time_s"]
-    within = (time >= part.from_s) & (time <= part.to_s)
+    within = part.holds(table["time_s"])
     if not within.any():
         raise ValueError(f"the log has no cycle in the range {part}")
     wanted = list(KEYS)
