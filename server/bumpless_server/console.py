@@ -47,6 +47,7 @@ from bumpless_server.runs.errands import Errands
 from bumpless_server.runs.recorder import Recorder
 from bumpless_server.runs.replays import Replays
 from bumpless_server.runs.shelf import Shelf
+from bumpless_server.scene.ghosts import Ghosts
 from bumpless_server.settings import Settings
 from bumpless_server.vehicle_process.node_command import node_command
 from bumpless_server.vehicle_process.supervise import Supervisor
@@ -79,6 +80,7 @@ class Console:
         self.replays = Replays()
         self.errands = Errands(self.data.scratch)
         self.what_if = WhatIfDesk()  # on the web's loop, which ends it
+        self.ghosts = Ghosts()  # for the scene
         self.revisions = Revisions(self.data.revisions)
         self.shelf = Shelf(self.data.words, self.data.run_bin)
         self.budget = DiskBudget(

@@ -96,7 +96,8 @@ def create_app(settings: Settings, console: Console | None = None) -> FastAPI:
         app.include_router(router)
     app.state.scene = None
     if settings.scene != "off":
-        app.state.scene = scene = Scene(console.state, session_cookie, light=settings.scene == "light")
+        light = settings.scene == "light"
+        app.state.scene = scene = Scene(console.state, session_cookie, light, ghosts=console.ghosts)
         app.include_router(scene.router)
     help.mount(app)
     page.mount(app)

@@ -6,6 +6,7 @@ from google.protobuf.message import Message
 
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless_server.live import tuning
+from bumpless_server.scene.ghosts import ghost_of
 from bumpless_server.web.answers.refusal import REFUSALS
 from bumpless_server.web.errors import Refusal
 from bumpless_server.web.routes import Served
@@ -40,8 +41,11 @@ async def what_if(console: Served, body: WhatIfRequest) -> WhatIf:
     if pair.as_it_is is None or pair.draft is None:
         raise Refusal(422, f"it cannot be flown ahead: {pair.problem}")
     mission, status, navigation = said.get("mission"), said.get("parameters"), said.get("navigation")
+    run = mission.run_id if isinstance(mission, pb.MissionStatus) else ""
+    flights = {"as_it_is": pair.as_it_is, "draft": pair.draft}
+    console.ghosts.put(run, {name: ghost_of(one.time_s, one.columns) for name, one in flights.items()})
     return WhatIf(
-        run=mission.run_id if isinstance(mission, pb.MissionStatus) else "",
+        run=run,
         from_s=navigation.stamp.mission_time_s if isinstance(navigation, pb.Navigation) else 0.0,
         revision=status.revision if isinstance(status, pb.ParametersStatus) else 0,
         as_it_is=pair.as_it_is,
