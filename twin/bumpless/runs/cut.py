@@ -18,7 +18,6 @@ from bumpless.runs.read import log_messages
 from bumpless.runs.repair import Copy
 from bumpless.runs.replay import PACE
 
-
 ROUNDING_S = 1e-3  # times of cycles are sums of periods, and miss by rounding
 
 
