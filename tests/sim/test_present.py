@@ -62,7 +62,7 @@ def test_trials_leave_nothing_behind(run: Run) -> None:
 def test_what_cannot_be_flown_on_is_refused(run: Run) -> None:
     """Protects from forecasts out of nothing: no mission, no numbers, another vehicle's actuators."""
     idle = said(run, 20.0)
-    idle.supervisor.phase = 1
+    idle.supervisor.phase = 1  # type: ignore[assignment]
     with pytest.raises(ValueError, match="no mission is running"):
         twin(run, idle)
     strange = said(run, 20.0)
