@@ -1,6 +1,7 @@
 // The live view: scene and mode at the left, plots in the middle, forces and actuators at the right.
 // Only the scene stays in the page while another view is shown.
 import { replay } from "../replay/current";
+import { ReplayScene } from "../replay/replay_scene";
 import { TrackMap } from "../replay/track_map";
 import { Main } from "../ui/main";
 import { ActuatorPanel } from "./actuator_panel";
@@ -19,6 +20,7 @@ export function LiveView({ hidden }: { hidden: boolean }) {
     <Main name={run ? "Replay" : "Live view"} class="live" hidden={hidden}>
       <div class="live-left">
         <Scene hidden={run !== undefined} />
+        {run && <ReplayScene key={run.run} replay={run} />}
         {run && <TrackMap />}
         {!hidden && <ModePanel />}
       </div>

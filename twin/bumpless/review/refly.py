@@ -1,17 +1,18 @@
 """A counterfactual: a run's mission flown again with other numbers, another allocator or another vehicle."""
 
 from collections.abc import Mapping
-from dataclasses import replace
 from math import degrees
 from typing import Any
 
 import numpy as np
+import yaml
 
-from bumpless.campaign.mission_text import mission_text
+from bumpless.campaign.mission_text import as_yaml
 from bumpless.campaign.parameter_path import changes_of
 from bumpless.config.mission import Mission, parse_mission
 from bumpless.config.parameters import ParameterError, Parameters, check, default_parameters, with_overrides
 from bumpless.config.problems import Problem
+from bumpless.config.text import BOM
 from bumpless.config.vehicle import Vehicle
 from bumpless.runs.flight import fly
 from bumpless.runs.run import Run
@@ -65,18 +66,16 @@ def seen(run: Run, mission: Mission, vehicle: Vehicle) -> Mission:
     believed = columns.target[-1, :3]
     planned = np.array(mission.target.position_ned_m)
     start = columns.eta_hat[0]
-    world = replace(
-        mission,
-        environment=replace(mission.environment, current_ned_mps=_three(current), current_profile=()),
-        target=replace(mission.target, true_offset_ned_m=_three(believed - planned)),
-        start=replace(
-            mission.start,
-            position_ned_m=_three(start[:3]),
-            heading_deg=round(degrees(start[5]), 4),
-            speed_mps=round(max(0.0, float(columns.nu_r_hat[0, 0])), 4),
-        ),
-    )
-    return parse_mission(mission_text(world), f"{mission.name}.yaml", vehicle, any_vehicle=True)
+    table = yaml.safe_load(mission.text.removeprefix(BOM)) or {}
+    sea = {name: told for name, told in table.get("environment", {}).items() if name != "current_profile"}
+    table["environment"] = sea | {"current_ned_mps": _three(current)}
+    table["target"] |= {"true_offset_ned_m": _three(believed - planned)}
+    table["start"] |= {
+        "position_ned_m": _three(start[:3]),
+        "heading_deg": round(degrees(start[5]), 4),
+        "speed_mps": round(max(0.0, float(columns.nu_r_hat[0, 0])), 4),
+    }
+    return parse_mission(as_yaml(table), f"{mission.name}.yaml", vehicle, any_vehicle=True)
 
 
 def _current(run: Run) -> np.ndarray:
