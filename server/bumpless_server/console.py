@@ -44,14 +44,18 @@ from bumpless_server.plan.missions import Missions
 from bumpless_server.plan.presets import Presets
 from bumpless_server.runs.catalogue import Catalogue
 from bumpless_server.runs.disk_budget import DiskBudget
+from bumpless_server.runs.errands import Errands
 from bumpless_server.runs.recorder import Recorder
 from bumpless_server.runs.replays import Replays
 from bumpless_server.runs.shelf import Shelf
+from bumpless_server.scene.ghosts import Ghosts
 from bumpless_server.settings import Settings
 from bumpless_server.vehicle_process.node_command import node_command
 from bumpless_server.vehicle_process.supervise import Supervisor
 from bumpless_server.views.foxglove import Foxglove
 from bumpless_server.views.ready import envelopes_ready
+from bumpless_server.what_if.desk import WhatIfDesk
+from bumpless_server.what_if.revisions import Revisions
 
 log = logging.getLogger(__name__)
 
@@ -76,7 +80,17 @@ class Console:
         self.foresight = Foresight(self._present, charts=self.data.charts)  # on the web's loop, which ends it
         self.catalogue = Catalogue(self.data.runs, self.data.index)
         self.replays = Replays()
+        self.errands = Errands(self.data.scratch)
+        self.what_if = WhatIfDesk()  # on the web's loop, which ends it
+        self.ghosts = Ghosts()  # for the scene
+        self.revisions = Revisions(self.data.revisions)
         self.shelf = Shelf(self.data.words, self.data.run_bin)
+        self.budget = DiskBudget(
+            self.data.runs,
+            settings.runs_max_bytes,
+            settings.disk_free_bytes,
+            *([self._prune] if settings.runs_prune else []),
+        )
         self.recorder = Recorder(
             self.data.runs,
             self.say,
@@ -84,12 +98,7 @@ class Console:
             _views,
             settings.recorder_queue_messages,
             settings.recorder_queue_bytes,
-            DiskBudget(
-                self.data.runs,
-                settings.runs_max_bytes,
-                settings.disk_free_bytes,
-                *([self._prune] if settings.runs_prune else []),
-            ),
+            self.budget,
         )
         self.alarms = Watch(
             lambda: read_limits(self.data.limits / f"{settings.vehicle_id}.toml"),
@@ -148,6 +157,8 @@ class Console:
             stack.callback(self.data.close)
             self.audit.open()
             self.shelf.open()
+            self.errands.open()
+            self.revisions.open()
             self.catalogue.open()
             stack.callback(self.catalogue.close)
             stack.callback(self.replays.close)

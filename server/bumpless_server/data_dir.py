@@ -27,6 +27,8 @@ class DataDir:
         self.limits = root / "limits"
         self.run_bin = root / "run_bin"
         self.words = root / "words.json"
+        self.scratch = root / "scratch"
+        self.revisions = root / "revisions.jsonl"
         self.alarms = root / "alarms.json"
         self.index = root / "index.sqlite"
         self.node_record = root / "node.json"

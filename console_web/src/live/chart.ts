@@ -1,6 +1,7 @@
 // A uPlot chart outside the component tree: it is made anew when its look changes, fed when there is news.
 import { effect } from "@preact/signals";
 import uPlot from "uplot";
+import { drawAhead, extent } from "../ahead/overlay";
 import { fixed, headingOf } from "../lib/format";
 import { colour, font, theme, typeSize } from "../lib/theme";
 import { screen } from "../stream/screen";
@@ -89,7 +90,10 @@ function options(spec: PlotSpec, axis: boolean, width: number, height: number): 
     padding: [5, 16, axis ? 0 : 5, 0],
     scales: {
       x: { time: false, range: () => timeScale() },
-      y: { dir: spec.downward ? -1 : 1, range: (_, low, high) => span(low, high, spec.smallestSpan) },
+      y: {
+        dir: spec.downward ? -1 : 1,
+        range: (_, low, high) => span(...held(spec, low, high), spec.smallestSpan),
+      },
     },
     axes: [
       {
@@ -126,7 +130,7 @@ function options(spec: PlotSpec, axis: boolean, width: number, height: number): 
     ],
     hooks: {
       drawClear: [shade, (plot) => band(plot, spec)],
-      draw: [marks, letter],
+      draw: [marks, letter, drawAhead(measuredOf(spec))],
       ready: [(plot) => plot.over.addEventListener("dblclick", follow)],
       setSelect: [chosen],
     },
@@ -140,6 +144,17 @@ function chosen(plot: uPlot): void {
   const [from, to] = [plot.posToVal(left, "x"), plot.posToVal(left + width, "x")];
   plot.setSelect({ left: 0, top: 0, width: 0, height: 0 }, false);
   showStretch(from, to);
+}
+
+function measuredOf(spec: PlotSpec): string {
+  return spec.traces.find(({ look }) => look === "measured")?.column ?? "";
+}
+
+/** The scale holds the flights ahead as well. */
+function held(spec: PlotSpec, low: number | null, high: number | null): [number | null, number | null] {
+  const ahead = extent(measuredOf(spec));
+  if (!ahead || low === null || high === null) return [low, high];
+  return [Math.min(low, ahead[0]), Math.max(high, ahead[1])];
 }
 
 function span(low: number | null, high: number | null, smallest: number): [number, number] {

@@ -4,6 +4,7 @@ import { signal } from "@preact/signals";
 import type { ComponentType } from "preact";
 import { useEffect } from "preact/hooks";
 import { replay } from "../replay/current";
+import { ReplayScene } from "../replay/replay_scene";
 import { TrackMap } from "../replay/track_map";
 import { screen } from "../stream/screen";
 import { Main } from "../ui/main";
@@ -52,6 +53,7 @@ export function LiveView({ hidden }: { hidden: boolean }) {
       {!hidden && screen.isLive && <FirstSteps />}
       <div class="live-left" hidden={!whole}>
         <Scene hidden={run !== undefined} />
+        {run && whole && <ReplayScene key={run.run} replay={run} />}
         {run && whole && <TrackMap />}
         {!hidden && whole && <ModePanel />}
       </div>

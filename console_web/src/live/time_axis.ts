@@ -1,5 +1,6 @@
 // One time window for the mode strip and all plots: the last W seconds of vehicle time.
 import { signal } from "@preact/signals";
+import { room } from "../ahead/overlay";
 import type { Mode } from "../gen/bumpless_pb";
 import { clock } from "../lib/format";
 import type { History } from "../stream/history";
@@ -55,7 +56,8 @@ const SHORTEST_MISSION_S = 10;
 /** The stretch of vehicle time that is shown now, s; [NaN, NaN] before the first value. */
 export function shown(of?: History): [from: number, to: number] {
   const to = of ? of.last() : screen.until;
-  return stretch(of ?? screen.history, to);
+  const [from, until] = stretch(of ?? screen.history, to);
+  return [from, of ? until : until + room()];
 }
 
 function stretch(of: History, to: number): [from: number, to: number] {

@@ -6,7 +6,9 @@ from bumpless_server.cli import (
     campaign,
     compare,
     envelope,
+    export,
     metrics,
+    refly,
     repair,
     report,
     reproduce,
@@ -45,6 +47,8 @@ app.command()(tune.tune)
 app.command()(metrics.metrics)
 app.command()(compare.compare)
 app.command()(report.report)
+app.command()(refly.refly)
+app.command()(export.export)
 app.command()(envelope.envelope)
 app.command()(repair.repair)
 app.command()(reproduce.reproduce)

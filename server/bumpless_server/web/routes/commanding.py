@@ -34,6 +34,11 @@ class Commanding:
         self._console = console
         self._request = request
 
+    @property
+    def author(self) -> str:
+        """Who asks, as they say."""
+        return printable(self._request.headers.get("x-operator", ""))[:MOST_AUTHOR]
+
     async def carry_out(self, verb: str, message: Message, author: str = "", **details: Any) -> CommandReply:
         """Ask the vehicle; a refusal is a 409 with its reason, 412 for a stale revision, 503 when late."""
         headers = self._request.headers
@@ -44,7 +49,7 @@ class Commanding:
         command = Command(
             verb,
             message,
-            author=printable(author or headers.get("x-operator", ""))[:MOST_AUTHOR],
+            author=printable(author)[:MOST_AUTHOR] or self.author,
             address=client.host if client else "",
             if_revision=_revision(headers.get("if-match")),
             details=details,
