@@ -16,6 +16,7 @@ from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.version import software_version
 from bumpless.runs.names import COMPLETE, DESCRIPTION
 from bumpless.runs.view import View
+from bumpless_server.access.lease import Lease
 from bumpless_server.alarms.limits import read_limits
 from bumpless_server.alarms.watch import Watch
 from bumpless_server.audit import Audit
@@ -32,7 +33,7 @@ from bumpless_server.live.freshness import freshness
 from bumpless_server.live.heart import Heart
 from bumpless_server.live.intake import Intake
 from bumpless_server.live.open_bus import bus_notice
-from bumpless_server.live.sample import EVENT, Sample
+from bumpless_server.live.sample import CONTROL, EVENT, Sample
 from bumpless_server.live.speaker import Speaker
 from bumpless_server.live.state import State
 from bumpless_server.live.stream import Stream
@@ -95,10 +96,11 @@ class Console:
             self._tell,
         )
         self.stream = Stream(self.state)
+        self.lease = Lease(self._control, self.say)
         self.tally, self.clock, self.speaker = Tally(self._set_aside), VehicleClock(), Speaker()
         self.dispatcher = Dispatcher(
             self.state,
-            self.status,
+            self._on_time,
             self._on_link,
             Intake(self.tally, self.speaker, self.clock, self._rival),
             self.recorder.offer,
@@ -278,6 +280,15 @@ class Console:
 
         with contextlib.suppress(Busy, RuntimeError):
             self.desk.submit(Command("set_parameters", parameters, author="server")).add_done_callback(told)
+
+    def _on_time(self) -> pb.ServerStatus:
+        """Twice a second, on the dispatcher's thread."""
+        self.lease.tick()
+        return self.status()
+
+    def _control(self, state: pb.ControlHolder) -> None:
+        payload = state.SerializeToString()
+        self._tell(Sample(CONTROL, state.DESCRIPTOR.full_name, payload, from_vehicle=False))
 
     def _tell(self, sample: Sample) -> None:
         self.dispatcher.sample(sample)

@@ -11,6 +11,7 @@ from bumpless.contract.messages import decoded
 EVENT = "event"
 STATUS = "server/status"
 ALARMS = "server/alarms"
+CONTROL = "server/control"
 
 
 @dataclass(frozen=True, slots=True)

@@ -18,6 +18,7 @@ from bumpless_server.web.guesses import Guesses
 from bumpless_server.web.routes import (
     alarms,
     compare,
+    control,
     declared,
     diagnostics,
     exchange,
@@ -44,6 +45,7 @@ ROUTERS = tuple(
     for part in (
         status,
         diagnostics,
+        control,
         alarms,
         missions,
         findings,

@@ -14,6 +14,7 @@ from urllib.parse import urlsplit
 
 from starlette.requests import HTTPConnection
 
+from bumpless_server.access.who import Role, Who, public_id
 from bumpless_server.settings import Settings
 
 COOKIE = "bumpless_session"
@@ -59,11 +60,14 @@ class Auth:
 
     def has_session(self, headers: Mapping[str, str]) -> bool:
         """True when the request carries our cookie."""
-        try:
-            cookie = SimpleCookie(headers.get("cookie", "")).get(COOKIE)
-        except CookieError:
-            return False
-        return cookie is not None and self.is_session(cookie.value)
+        return self.is_session(_cookie(headers))
+
+    def who(self, headers: Mapping[str, str], address: str) -> Who:
+        """Who asks, of a request that is not refused."""
+        cookie = _cookie(headers)
+        client = public_id(cookie if self.is_session(cookie) else address)
+        shown = f"Browser {client[:4]}" if self.is_session(cookie) else f"a program at {address}"
+        return Who("", Role.engineer, client, shown, open=True)
 
     def refusal(
         self, method: str, headers: Mapping[str, str], websocket: bool = False
@@ -104,6 +108,15 @@ class Auth:
     def wrong_bearer(self, headers: Mapping[str, str]) -> bool:
         """True when the request tries a token that is not ours."""
         return bool(self._token) and "authorization" in headers and not self._has_bearer(headers)
+
+
+def _cookie(headers: Mapping[str, str]) -> str:
+    """The session's cookie; "" without one."""
+    try:
+        cookie = SimpleCookie(headers.get("cookie", "")).get(COOKIE)
+    except CookieError:
+        return ""
+    return cookie.value if cookie is not None else ""
 
 
 def _host_name(host: str) -> str:

@@ -12,6 +12,7 @@ from fastapi.responses import JSONResponse
 from starlette.exceptions import HTTPException
 
 from bumpless.config.problems import Problem, ProblemsError
+from bumpless_server.access.lease import NotHolder
 from bumpless_server.files import BadName
 from bumpless_server.live.ask import NoAnswer
 from bumpless_server.live.desk import Busy
@@ -101,6 +102,10 @@ def install(app: FastAPI) -> None:
     @app.exception_handler(NoAnswer)
     async def no_answer(_request: Request, error: NoAnswer) -> JSONResponse:
         return answer(503, str(error), accepted=False, reason=str(error))
+
+    @app.exception_handler(NotHolder)
+    async def not_holder(_request: Request, error: NotHolder) -> JSONResponse:
+        return answer(423, str(error))
 
     @app.exception_handler(UnicodeError)
     async def no_text(_request: Request, error: UnicodeError) -> JSONResponse:

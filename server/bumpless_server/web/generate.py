@@ -18,7 +18,7 @@ from bumpless.contract.keys import TOPICS
 from bumpless.contract.modes import MODES
 from bumpless_server.foresight.told import ForesightMessage
 from bumpless_server.foresight.wanted import ForesightRequest
-from bumpless_server.live.sample import ALARMS, STATUS
+from bumpless_server.live.sample import ALARMS, CONTROL, STATUS
 from bumpless_server.scene.cameras import Cameras
 from bumpless_server.scene.proxy import Proxy
 from bumpless_server.web.app import ROUTERS
@@ -70,6 +70,7 @@ def topics_ts() -> str:
     kinds = {f"tlm/{topic.name}": topic.message for topic in TOPICS.values()} | {
         STATUS: pb.ServerStatus,
         ALARMS: pb.Alarms,
+        CONTROL: pb.ControlHolder,
     }
     rows = [f'  "{name}": pb.{kind.__name__}Schema,' for name, kind in kinds.items()]
     head = [f"// {FROM}", 'import * as pb from "./bumpless_pb";', "export const SCHEMAS = {"]

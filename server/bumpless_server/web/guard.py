@@ -9,6 +9,7 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from bumpless_server.web.auth import COOKIE, Auth
 from bumpless_server.web.guesses import Guesses
+from bumpless_server.web.known import KEY
 
 PAGE = "/"
 OPEN_PATHS = frozenset({"/api/health"})  # for container health checks
@@ -34,10 +35,12 @@ class Guard:
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Serve, or refuse before the route sees anything."""
         if scope["type"] == "websocket":
-            if self._auth.refusal("GET", Headers(scope=scope), websocket=True) is not None:
+            headers = Headers(scope=scope)
+            if self._auth.refusal("GET", headers, websocket=True) is not None:
                 await receive()
                 await send({"type": "websocket.close", "code": 1008, "reason": "refused"})
                 return
+            scope[KEY] = self._auth.who(headers, _address(scope))
             await self._app(scope, receive, send)
         elif scope["type"] == "http":
             await self._http(scope, receive, send)
@@ -46,7 +49,7 @@ class Guard:
 
     async def _http(self, scope: Scope, receive: Receive, send: Send) -> None:
         headers, path = Headers(scope=scope), scope["path"]
-        address = (scope.get("client") or ("somebody", 0))[0]
+        address = _address(scope)
         tries = self._auth.wrong_bearer(headers) or (path == PAGE and b"token=" in scope["query_string"])
         if tries and (wait_s := self._guesses.wait_s(address)):
             await _refuse(send, 429, f"too many wrong tokens; try again in {wait_s:.0f} s")
@@ -64,6 +67,7 @@ class Guard:
         if refusal is not None:
             await _refuse(send, *refusal)
             return
+        scope[KEY] = self._auth.who(headers, address)
         cookie = is_page and not self._auth.has_session(headers)
 
         async def send_more(message: Message) -> None:
@@ -95,6 +99,10 @@ class Guard:
         secure = {"secure": "1"} if scope.get("scheme") == "https" else {}
         jar[COOKIE].update({"path": "/", "httponly": "1", "samesite": "Strict", **secure})
         return jar[COOKIE].OutputString()
+
+
+def _address(scope: Scope) -> str:
+    return (scope.get("client") or ("somebody", 0))[0]
 
 
 async def _refuse(send: Send, status: int, reason: str) -> None:

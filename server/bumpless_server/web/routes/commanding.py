@@ -8,10 +8,11 @@ from google.protobuf.message import Message
 
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.names import NameRule
-from bumpless_server.live.desk import Command
+from bumpless_server.live.desk import URGENT, Command
 from bumpless_server.live.tally import printable
 from bumpless_server.web.answers.contract import CommandReply, told
 from bumpless_server.web.errors import Refusal
+from bumpless_server.web.known import who_asks
 from bumpless_server.web.routes import Served
 
 REQUEST_ID = NameRule(r"[A-Za-z0-9_-]{1,64}", "1 to 64 of letters, digits, '-' and '_'")
@@ -36,6 +37,8 @@ class Commanding:
 
     async def carry_out(self, verb: str, message: Message, author: str = "", **details: Any) -> CommandReply:
         """Ask the vehicle; a refusal is a 409 with its reason, 412 for a stale revision, 503 when late."""
+        if verb not in URGENT:
+            self._console.lease.use(who_asks(self._request))
         headers = self._request.headers
         client = self._request.client
         given: dict[str, Any] = {}

@@ -1,0 +1,74 @@
+"""Who holds control of the vehicle: asked for, handed over, taken with a reason, given up."""
+
+from fastapi import APIRouter
+
+from bumpless_server.web.answers.contract import told
+from bumpless_server.web.answers.control import AskForControl, ControlHolder, ForClient, Me, TakeControl
+from bumpless_server.web.answers.refusal import REFUSALS
+from bumpless_server.web.errors import Refusal
+from bumpless_server.web.known import Asking
+from bumpless_server.web.routes import Served
+
+router = APIRouter(prefix="/api", responses=REFUSALS)
+
+
+@router.get("/me")
+async def me(asking: Asking) -> Me:
+    """Who one is here, and what one may do."""
+    return Me(
+        accounts=not asking.open,
+        name=asking.name,
+        shown=asking.shown,
+        role=asking.role.name,
+        client=asking.client,
+    )
+
+
+@router.get("/control")
+async def control(console: Served) -> ControlHolder:
+    """Who holds control, and who asks for it."""
+    return told(console.lease.state(), ControlHolder)
+
+
+@router.post("/control/ask")
+async def ask(console: Served, asking: Asking, wanted: AskForControl) -> ControlHolder:
+    """Ask for control; where nobody holds it, it is given at once."""
+    console.lease.ask(asking, wanted.reason.strip())
+    return await control(console)
+
+
+@router.post("/control/take")
+async def take(console: Served, asking: Asking, wanted: TakeControl) -> ControlHolder:
+    """Take control from its holder; everybody reads why."""
+    reason = wanted.reason.strip()
+    if len(reason) < 3:
+        raise Refusal(422, "say why control is taken")
+    console.lease.take(asking, reason)
+    return await control(console)
+
+
+@router.post("/control/hand")
+async def hand(console: Served, asking: Asking, to: ForClient) -> ControlHolder:
+    """The holder hands control over."""
+    try:
+        console.lease.hand_over(asking, to.client)
+    except KeyError:
+        raise Refusal(404, "nobody here has that id") from None
+    return await control(console)
+
+
+@router.post("/control/decline")
+async def decline(console: Served, asking: Asking, whom: ForClient) -> ControlHolder:
+    """The holder answers a request with no."""
+    try:
+        console.lease.decline(asking, whom.client)
+    except KeyError:
+        raise Refusal(404, "nobody with that id asks for control") from None
+    return await control(console)
+
+
+@router.post("/control/release")
+async def release(console: Served, asking: Asking) -> ControlHolder:
+    """Give control up, or stop asking for it."""
+    console.lease.let_go(asking)
+    return await control(console)
