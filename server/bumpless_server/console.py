@@ -16,7 +16,9 @@ from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.version import software_version
 from bumpless.runs.names import COMPLETE, DESCRIPTION
 from bumpless.runs.view import View
+from bumpless_server.access.accounts import Accounts, AccountsError
 from bumpless_server.access.lease import Lease
+from bumpless_server.access.sessions import Sessions
 from bumpless_server.alarms.limits import read_limits
 from bumpless_server.alarms.watch import Watch
 from bumpless_server.audit import Audit
@@ -61,7 +63,7 @@ _LEVELS = {pb.SEVERITY_WARNING: logging.WARNING, pb.SEVERITY_ALARM: logging.ERRO
 
 
 class Console:
-    """One vehicle's console. `start` raises DataDirError or BusError with one line for the operator."""
+    """One vehicle's console. `start` raises DataDirError, BusError or AccountsError with one line to read."""
 
     def __init__(self, settings: Settings) -> None:
         self.settings = settings
@@ -97,6 +99,10 @@ class Console:
         )
         self.stream = Stream(self.state)
         self.lease = Lease(self._control, self.say)
+        self.accounts = Accounts(self.data.access)
+        self.sessions = Sessions(
+            self.data.access / "sessions.json", self.accounts, settings.session_hours * 3600.0
+        )
         self.tally, self.clock, self.speaker = Tally(self._set_aside), VehicleClock(), Speaker()
         self.dispatcher = Dispatcher(
             self.state,
@@ -145,6 +151,7 @@ class Console:
         with contextlib.ExitStack() as stack:
             self.data.open()
             stack.callback(self.data.close)
+            self._let_somebody_in()
             self.audit.open()
             self.shelf.open()
             self.catalogue.open()
@@ -174,6 +181,23 @@ class Console:
                 self.say(pb.SEVERITY_WARNING, "bus_open", self.bus_notice, {})
             self._stop = stack.pop_all()
         self.started = True
+
+    def _let_somebody_in(self) -> None:
+        """The first account, where a file has its password; without any, nobody could log in."""
+        path = self.settings.first_password_file
+        if not self.accounts.any() and path is not None:
+            try:
+                password = path.read_text(encoding="utf-8").strip()
+                self.accounts.add("engineer", "engineer", password)
+            except (OSError, ValueError) as error:
+                raise AccountsError(f"no first account by {path}: {error}") from error
+        if self.accounts.trouble:
+            raise AccountsError(self.accounts.trouble)
+        if self.settings.accounts_needed and not self.accounts.any():
+            raise AccountsError(
+                "nobody could log in: make an account with `bumpless user add NAME --role engineer "
+                f"--data-dir {self.settings.data_dir}`"
+            )
 
     def stop(self) -> None:
         """End the managed node, close the file being written and leave the bus."""

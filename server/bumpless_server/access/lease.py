@@ -87,12 +87,16 @@ class Lease:
             if held is None:
                 self._give(who)
             elif held.who.client != who.client:
-                raise NotHolder(
-                    f"{held.who.shown} holds control: ask for it, or take it and say why "
-                    "(pause and abort are open to every operator)"
-                )
+                raise NotHolder(_refused(held))
             self._seen(who)
             self._settle()
+
+    def check(self, who: Who) -> None:
+        """Raises NotHolder when somebody else holds control; takes nothing."""
+        with self._lock:
+            held = self._held()
+            if held is not None and held.who.client != who.client:
+                raise NotHolder(_refused(held))
 
     def ask(self, who: Who, reason: str = "") -> None:
         """Ask the holder for control; where nobody has it, it is given at once. Raises NotHolder."""
@@ -209,6 +213,13 @@ class Lease:
 
     def _say(self, severity: pb.Severity, code: str, text: str) -> None:
         self._said(severity, code, text, {})
+
+
+def _refused(held: Holder) -> str:
+    return (
+        f"{held.who.shown} holds control: ask for it, or take it and say why "
+        "(pause and abort are open to every operator)"
+    )
 
 
 def _may_command(who: Who) -> None:

@@ -12,6 +12,7 @@ from bumpless_server.cli import (
     reproduce,
     run,
     tune,
+    user,
     validate,
     vehicle,
 )
@@ -48,6 +49,7 @@ app.command()(report.report)
 app.command()(envelope.envelope)
 app.command()(repair.repair)
 app.command()(reproduce.reproduce)
+app.add_typer(user.user, name="user")
 
 
 if __name__ == "__main__":

@@ -29,6 +29,7 @@ from bumpless_server.web.routes import (
     missions,
     page,
     parameters,
+    people,
     planning,
     replay,
     report,
@@ -45,6 +46,7 @@ ROUTERS = tuple(
     for part in (
         status,
         diagnostics,
+        people,
         control,
         alarms,
         missions,
@@ -83,9 +85,10 @@ def create_app(settings: Settings, console: Console | None = None) -> FastAPI:
 
     app = FastAPI(title="Bumpless", version=console.version, lifespan=lifespan, docs_url=None, redoc_url=None)
     app.state.console = console
-    app.state.auth = auth = Auth(settings, console.data.secret())
+    app.state.auth = auth = Auth(settings, console.data.secret(), console.accounts, console.sessions)
+    app.state.guesses = guesses = Guesses(console.tally.note)
     app.add_middleware(BodyLimit, max_bytes=settings.upload_bytes)
-    app.add_middleware(Guard, auth=auth, guesses=Guesses(console.tally.note))
+    app.add_middleware(Guard, auth=auth, guesses=guesses, lease=console.lease)
     errors.install(app)
     for router in ROUTERS:
         app.include_router(router)

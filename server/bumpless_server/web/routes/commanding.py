@@ -12,6 +12,7 @@ from bumpless_server.live.desk import URGENT, Command
 from bumpless_server.live.tally import printable
 from bumpless_server.web.answers.contract import CommandReply, told
 from bumpless_server.web.errors import Refusal
+from bumpless_server.web.guard import address_of
 from bumpless_server.web.known import who_asks
 from bumpless_server.web.routes import Served
 
@@ -28,7 +29,7 @@ class Commanding:
     """Carries out what one HTTP request asks for.
 
     `Idempotency-Key` names the request: the same one again is answered, not done again. `If-Match` is the
-    revision of the parameters that a change was made from. `X-Operator` is who asks.
+    revision of the parameters that a change was made from. `X-Operator` is who asks, where nobody logs in.
     """
 
     def __init__(self, console: Served, request: Request) -> None:
@@ -37,18 +38,20 @@ class Commanding:
 
     async def carry_out(self, verb: str, message: Message, author: str = "", **details: Any) -> CommandReply:
         """Ask the vehicle; a refusal is a 409 with its reason, 412 for a stale revision, 503 when late."""
+        who = who_asks(self._request)
         if verb not in URGENT:
-            self._console.lease.use(who_asks(self._request))
+            self._console.lease.use(who)
         headers = self._request.headers
-        client = self._request.client
         given: dict[str, Any] = {}
         if (key := headers.get("idempotency-key")) is not None:
             given["id"] = REQUEST_ID.check(key, "Idempotency-Key")
         command = Command(
             verb,
             message,
-            author=printable(author or headers.get("x-operator", ""))[:MOST_AUTHOR],
-            address=client.host if client else "",
+            author=who.shown
+            if not who.open
+            else printable(author or headers.get("x-operator", ""))[:MOST_AUTHOR],
+            address=address_of(self._request.scope),
             if_revision=_revision(headers.get("if-match")),
             details=details,
             **given,

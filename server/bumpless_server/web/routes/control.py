@@ -3,25 +3,13 @@
 from fastapi import APIRouter
 
 from bumpless_server.web.answers.contract import told
-from bumpless_server.web.answers.control import AskForControl, ControlHolder, ForClient, Me, TakeControl
+from bumpless_server.web.answers.control import AskForControl, ControlHolder, ForClient, TakeControl
 from bumpless_server.web.answers.refusal import REFUSALS
 from bumpless_server.web.errors import Refusal
 from bumpless_server.web.known import Asking
 from bumpless_server.web.routes import Served
 
 router = APIRouter(prefix="/api", responses=REFUSALS)
-
-
-@router.get("/me")
-async def me(asking: Asking) -> Me:
-    """Who one is here, and what one may do."""
-    return Me(
-        accounts=not asking.open,
-        name=asking.name,
-        shown=asking.shown,
-        role=asking.role.name,
-        client=asking.client,
-    )
 
 
 @router.get("/control")
