@@ -10,7 +10,7 @@ from fastapi.concurrency import run_in_threadpool
 from bumpless_server.console import Console
 from bumpless_server.scene.scene import Scene
 from bumpless_server.settings import Settings
-from bumpless_server.web import errors
+from bumpless_server.web import errors, interface
 from bumpless_server.web.auth import Auth, session_cookie
 from bumpless_server.web.body_limit import BodyLimit
 from bumpless_server.web.guard import Guard
@@ -96,6 +96,7 @@ def create_app(settings: Settings, console: Console | None = None) -> FastAPI:
     if settings.scene != "off":
         app.state.scene = scene = Scene(console.state, session_cookie, light=settings.scene == "light")
         app.include_router(scene.router)
+    interface.install(app)
     help.mount(app)
     page.mount(app)
     return app

@@ -3,7 +3,7 @@
 import asyncio
 from typing import Annotated, Any
 
-from fastapi import Depends, Request
+from fastapi import Depends, Header, Request
 from google.protobuf.message import Message
 
 from bumpless.contract import bumpless_pb2 as pb
@@ -77,7 +77,17 @@ def _revision(header: str | None) -> int | None:
     return int(text)
 
 
-async def _commanding(console: Served, request: Request) -> Commanding:
+async def _commanding(
+    console: Served,
+    request: Request,
+    idempotency_key: Annotated[
+        str | None, Header(description="Names the request: the same again is answered, not done")
+    ] = None,
+    if_match: Annotated[
+        str | None, Header(description="Revision of the parameters that a change was made from")
+    ] = None,
+    x_operator: Annotated[str | None, Header(description="Who asks, where nobody logs in")] = None,
+) -> Commanding:
     return Commanding(console, request)
 
 
