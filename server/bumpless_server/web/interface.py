@@ -1,6 +1,6 @@
 """The interface as OpenAPI: FastAPI's description of the routes, and what the guard in front of them adds.
 
-Who may (from the one table of rights), by which scheme, and each refusal that a route may give, in its one shape.
+Who may (from the table of rights), by which scheme, and each refusal that a route may give, in its one shape.
 """
 
 from typing import Any
@@ -19,9 +19,9 @@ SCHEMES = {
     "session": {"type": "apiKey", "in": "cookie", "name": COOKIE, "description": "From POST /api/login"},
     "token": {"type": "http", "scheme": "bearer", "description": "From `bumpless user token`"},
 }
-ABOUT = """What the console uses, and scripts may. Where the server is reached from its own machine alone and no
-account was made, nobody has to log in. A request that changes something must come from the same origin. Every
-refusal has one shape: a sentence, and each problem with its place."""
+ABOUT = """What the console uses, and scripts may. Where the server is reached from its own machine alone and
+no account was made, nobody has to log in. A request that changes something must come from the same origin.
+Every refusal has one shape: a sentence, and each problem with its place."""
 WHY = {
     400: "No request that can be read",
     401: "Nobody known asks: log in, or send a token that is in force",
@@ -99,7 +99,7 @@ def _refusals(operation: dict[str, Any], right: Right, method: str, path: str) -
     if method != "GET" or path.startswith("/api/runs"):
         known |= {409}  # a run that is being recorded
     if "/mission/" in path or path == PARAMETERS:
-        known |= COMMANDED
+        known |= set(COMMANDED)
     if path.startswith("/api/control/"):
         known |= {423}
     if "report" in path:

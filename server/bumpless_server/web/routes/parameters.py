@@ -19,12 +19,8 @@ from bumpless_server.web.routes.commanding import Asked
 from bumpless_server.web.routes.missions import text_of
 
 router = APIRouter(prefix="/api", responses=REFUSALS)
-
-
-def _json(model: str) -> dict[str, Any]:
-    """A body that is read as it comes, told as what it must be."""
-    schema = {"$ref": f"#/components/schemas/{model}"}
-    return {"requestBody": {"content": {"application/json": {"schema": schema}}, "required": True}}
+_WHOLE = {"description": "A whole set of parameters, as GET /api/parameters tells the active ones"}
+_JSON = {"requestBody": {"content": {"application/json": {"schema": _WHOLE}}, "required": True}}
 
 
 async def _body(request: Request) -> Any:
@@ -51,7 +47,7 @@ def parameters(console: Served) -> ParametersAnswer:
     return ParametersAnswer.model_validate(answer)
 
 
-@router.put("/parameters", openapi_extra=_json("Parameters"))
+@router.put("/parameters", openapi_extra=_JSON)
 async def change(console: Served, asked: Asked, request: Request) -> CommandReply:
     """Ask the vehicle to fly with these, all of them; `If-Match` refuses a change of an old revision."""
     given = await _body(request)
@@ -87,7 +83,7 @@ def preset(console: Served, name: str) -> Preset:
     return found
 
 
-@router.put("/presets/{name}", openapi_extra=_json("Parameters"))
+@router.put("/presets/{name}", openapi_extra=_JSON)
 async def save(console: Served, request: Request, name: str) -> Preset:
     """Keep or replace a preset: a whole set of parameters within the present vehicle's ranges."""
     given = await _body(request)
