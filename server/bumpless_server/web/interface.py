@@ -87,7 +87,7 @@ def _complete(operation: dict[str, Any], method: str, path: str) -> None:
 
 def _refusals(operation: dict[str, Any], right: Right, method: str, path: str) -> set[int]:
     """Every status but success that this route may answer with."""
-    known = set(ANYWHERE)
+    known: set[int] = set(ANYWHERE)
     if right.role is not None or path == "/api/login":
         known |= {401, 403}
     if right.control:
