@@ -4,12 +4,14 @@ It has threads of its own and knows no event loop: a stalled web server cannot h
 """
 
 import contextlib
+import json
 import logging
 import secrets
 import threading
 import time
 from concurrent.futures import Future
 from pathlib import Path
+from typing import Any
 
 from bumpless.config.vehicle import Vehicle, VehicleError, parse_vehicle
 from bumpless.contract import bumpless_pb2 as pb
@@ -35,7 +37,7 @@ from bumpless_server.live.freshness import freshness
 from bumpless_server.live.heart import Heart
 from bumpless_server.live.intake import Intake
 from bumpless_server.live.open_bus import bus_notice
-from bumpless_server.live.sample import CONTROL, EVENT, Sample
+from bumpless_server.live.sample import AUDIT, CONTROL, EVENT, Sample
 from bumpless_server.live.speaker import Speaker
 from bumpless_server.live.state import State
 from bumpless_server.live.stream import Stream
@@ -122,7 +124,7 @@ class Console:
             self._rival,
         )
         self.bus_notice = bus_notice(settings.zenoh_listen, settings.zenoh_connect)
-        self.audit = Audit(self.data.audit)
+        self.audit = Audit(self.data.audit, self._audited)
         self.desk = Desk(
             self.bus.command,
             lambda: self.speaker.session,
@@ -313,6 +315,17 @@ class Console:
     def _control(self, state: pb.ControlHolder) -> None:
         payload = state.SerializeToString()
         self._tell(Sample(CONTROL, state.DESCRIPTOR.full_name, payload, from_vehicle=False))
+
+    def _audited(self, entry: dict[str, Any]) -> None:
+        """Each line of the audit also goes into the log of the run that it is about."""
+        told = pb.AuditEntry(
+            time_ns=time.time_ns(),
+            details_json=json.dumps(entry["details"]),
+            **{name: entry[name] for name in ("id", "verb", "author", "address", "answer", "said", "took_s")},
+        )
+        self.recorder.note(
+            Sample(AUDIT, told.DESCRIPTOR.full_name, told.SerializeToString(), from_vehicle=False)
+        )
 
     def _tell(self, sample: Sample) -> None:
         self.dispatcher.sample(sample)

@@ -1,7 +1,7 @@
 """Random requests by the OpenAPI document, valid and not, as each role; every answer is judged.
 
-An answer is a fault when it is a 5xx, when its status, type or shape is not declared, when the role had no right to
-it, or when it does not come in time.
+An answer is a fault when it is a 5xx, when its status, type or shape is not declared, when the role had no
+right to it, or when it does not come in time.
 """
 
 import collections
@@ -120,5 +120,5 @@ def _judge(case: Any, url: str, session: requests.Session, tally: Tally) -> None
         tally.fault("right refused", case, f"{status} for {tally.role.name}, {case.method} {path}")
     try:
         case.validate_response(response, checks=DECLARED)
-    except Exception as error:
+    except (Exception, BaseExceptionGroup) as error:
         tally.fault("undeclared", case, f"{status} {case.method} {case.operation.path}: {str(error)[:600]}")

@@ -12,6 +12,7 @@ EVENT = "event"
 STATUS = "server/status"
 ALARMS = "server/alarms"
 CONTROL = "server/control"
+AUDIT = "server/audit"
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,7 +1,7 @@
 """A small, repeatable share of `make fuzz` in every run of the suite."""
 
+import json
 from collections.abc import Iterator
-from pathlib import Path
 
 import pytest
 
@@ -9,7 +9,7 @@ from bumpless_server.access.who import Role
 from tests.fuzz.fuzz import fuzz
 from tests.fuzz.served import Fuzzed, fuzzed
 
-CASES = 300
+CASES = 160
 
 
 @pytest.fixture(scope="module")
@@ -24,3 +24,16 @@ def test_requests_that_nobody_would_make_surprise_nobody(served: Fuzzed, role: R
     tally = fuzz(served.running.url, served.document, role, served.tokens[role], served.known, CASES)
     assert tally.cases > CASES // 2
     assert not tally.faults, "\n".join(tally.lines())
+
+
+def test_the_judge_sees_what_it_looks_for(served: Fuzzed) -> None:
+    """Protects: a fuzzer that finds nothing because it looks at nothing."""
+    document = json.loads(json.dumps(served.document))
+    kept = ("/api/missions/{name}", "/api/users")
+    document["paths"] = {path: document["paths"][path] for path in kept}
+    for methods in document["paths"].values():
+        for operation in methods.values():
+            operation["responses"] = {"418": {"description": "what never comes"}}
+    token = served.tokens[Role.engineer]
+    tally = fuzz(served.running.url, document, Role.observer, token, served.known, 40)
+    assert tally.faults["undeclared"] > 10 and tally.faults["right exceeded"] > 3

@@ -945,6 +945,28 @@ class Alarms(_message.Message):
     alarms: _containers.RepeatedCompositeFieldContainer[Alarm]
     def __init__(self, alarms: _Optional[_Iterable[_Union[Alarm, _Mapping]]] = ...) -> None: ...
 
+class AuditEntry(_message.Message):
+    __slots__ = ("time_ns", "id", "verb", "author", "address", "details_json", "answer", "said", "took_s")
+    TIME_NS_FIELD_NUMBER: _ClassVar[int]
+    ID_FIELD_NUMBER: _ClassVar[int]
+    VERB_FIELD_NUMBER: _ClassVar[int]
+    AUTHOR_FIELD_NUMBER: _ClassVar[int]
+    ADDRESS_FIELD_NUMBER: _ClassVar[int]
+    DETAILS_JSON_FIELD_NUMBER: _ClassVar[int]
+    ANSWER_FIELD_NUMBER: _ClassVar[int]
+    SAID_FIELD_NUMBER: _ClassVar[int]
+    TOOK_S_FIELD_NUMBER: _ClassVar[int]
+    time_ns: int
+    id: str
+    verb: str
+    author: str
+    address: str
+    details_json: str
+    answer: str
+    said: str
+    took_s: float
+    def __init__(self, time_ns: _Optional[int] = ..., id: _Optional[str] = ..., verb: _Optional[str] = ..., author: _Optional[str] = ..., address: _Optional[str] = ..., details_json: _Optional[str] = ..., answer: _Optional[str] = ..., said: _Optional[str] = ..., took_s: _Optional[float] = ...) -> None: ...
+
 class ControlRequest(_message.Message):
     __slots__ = ("client", "name", "since_ns", "reason")
     CLIENT_FIELD_NUMBER: _ClassVar[int]
