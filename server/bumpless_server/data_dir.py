@@ -33,6 +33,7 @@ class DataDir:
         self.index = root / "index.sqlite"
         self.node_record = root / "node.json"
         self.audit = root / "audit.jsonl"
+        self.access = root / "access"  # accounts, tokens and sessions: for its owner's eyes
         self.node_log = root / "node.log"
         self._lock: IO[str] | None = None
 

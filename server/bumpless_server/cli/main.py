@@ -14,6 +14,7 @@ from bumpless_server.cli import (
     reproduce,
     run,
     tune,
+    user,
     validate,
     vehicle,
 )
@@ -52,6 +53,7 @@ app.command()(export.export)
 app.command()(envelope.envelope)
 app.command()(repair.repair)
 app.command()(reproduce.reproduce)
+app.add_typer(user.user, name="user")
 
 
 if __name__ == "__main__":

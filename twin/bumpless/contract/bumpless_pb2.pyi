@@ -947,6 +947,56 @@ class Alarms(_message.Message):
     alarms: _containers.RepeatedCompositeFieldContainer[Alarm]
     def __init__(self, alarms: _Optional[_Iterable[_Union[Alarm, _Mapping]]] = ...) -> None: ...
 
+class AuditEntry(_message.Message):
+    __slots__ = ("time_ns", "id", "verb", "author", "address", "details_json", "answer", "said", "took_s")
+    TIME_NS_FIELD_NUMBER: _ClassVar[int]
+    ID_FIELD_NUMBER: _ClassVar[int]
+    VERB_FIELD_NUMBER: _ClassVar[int]
+    AUTHOR_FIELD_NUMBER: _ClassVar[int]
+    ADDRESS_FIELD_NUMBER: _ClassVar[int]
+    DETAILS_JSON_FIELD_NUMBER: _ClassVar[int]
+    ANSWER_FIELD_NUMBER: _ClassVar[int]
+    SAID_FIELD_NUMBER: _ClassVar[int]
+    TOOK_S_FIELD_NUMBER: _ClassVar[int]
+    time_ns: int
+    id: str
+    verb: str
+    author: str
+    address: str
+    details_json: str
+    answer: str
+    said: str
+    took_s: float
+    def __init__(self, time_ns: _Optional[int] = ..., id: _Optional[str] = ..., verb: _Optional[str] = ..., author: _Optional[str] = ..., address: _Optional[str] = ..., details_json: _Optional[str] = ..., answer: _Optional[str] = ..., said: _Optional[str] = ..., took_s: _Optional[float] = ...) -> None: ...
+
+class ControlRequest(_message.Message):
+    __slots__ = ("client", "name", "since_ns", "reason")
+    CLIENT_FIELD_NUMBER: _ClassVar[int]
+    NAME_FIELD_NUMBER: _ClassVar[int]
+    SINCE_NS_FIELD_NUMBER: _ClassVar[int]
+    REASON_FIELD_NUMBER: _ClassVar[int]
+    client: str
+    name: str
+    since_ns: int
+    reason: str
+    def __init__(self, client: _Optional[str] = ..., name: _Optional[str] = ..., since_ns: _Optional[int] = ..., reason: _Optional[str] = ...) -> None: ...
+
+class ControlHolder(_message.Message):
+    __slots__ = ("holder", "holder_name", "since_ns", "until_ns", "reason", "requests")
+    HOLDER_FIELD_NUMBER: _ClassVar[int]
+    HOLDER_NAME_FIELD_NUMBER: _ClassVar[int]
+    SINCE_NS_FIELD_NUMBER: _ClassVar[int]
+    UNTIL_NS_FIELD_NUMBER: _ClassVar[int]
+    REASON_FIELD_NUMBER: _ClassVar[int]
+    REQUESTS_FIELD_NUMBER: _ClassVar[int]
+    holder: str
+    holder_name: str
+    since_ns: int
+    until_ns: int
+    reason: str
+    requests: _containers.RepeatedCompositeFieldContainer[ControlRequest]
+    def __init__(self, holder: _Optional[str] = ..., holder_name: _Optional[str] = ..., since_ns: _Optional[int] = ..., until_ns: _Optional[int] = ..., reason: _Optional[str] = ..., requests: _Optional[_Iterable[_Union[ControlRequest, _Mapping]]] = ...) -> None: ...
+
 class ServerStatus(_message.Message):
     __slots__ = ("time_ns", "vehicle_id", "link", "telemetry_age_s", "recording", "recording_run_id", "recorded_bytes", "recorder_dropped", "node_restarts", "stream_clients", "server_version", "node_managed", "recorder_trouble", "topics", "clock_offset_s", "bus_notice", "set_aside")
     TIME_NS_FIELD_NUMBER: _ClassVar[int]
