@@ -31,7 +31,6 @@ from bumpless_server.live.dispatch import Dispatcher
 from bumpless_server.live.freshness import freshness
 from bumpless_server.live.heart import Heart
 from bumpless_server.live.intake import Intake
-from bumpless_server.live.open_bus import bus_notice
 from bumpless_server.live.sample import EVENT, Sample
 from bumpless_server.live.speaker import Speaker
 from bumpless_server.live.state import State
@@ -112,8 +111,8 @@ class Console:
             self.speaker,
             self.tally,
             self._rival,
+            settings.zenoh_config,
         )
-        self.bus_notice = bus_notice(settings.zenoh_listen, settings.zenoh_connect)
         self.audit = Audit(self.data.audit)
         self.desk = Desk(
             self.bus.command,
@@ -168,8 +167,8 @@ class Console:
             if self.settings.manage_node:
                 stack.callback(self.supervisor.stop)
                 self.supervisor.start()
-            if self.bus_notice:
-                self.say(pb.SEVERITY_WARNING, "bus_open", self.bus_notice, {})
+            if self.bus.notice:
+                self.say(pb.SEVERITY_WARNING, "bus_open", self.bus.notice, {})
             self._stop = stack.pop_all()
         self.started = True
 
@@ -198,7 +197,7 @@ class Console:
             node_managed=self.settings.manage_node,
             topics=freshness(self.state),
             clock_offset_s=self.clock.offset_s,
-            bus_notice=self.bus_notice,
+            bus_notice=self.bus.notice,
             set_aside=self.tally.total,
         )
 

@@ -8,6 +8,7 @@ import numpy as np
 from bumpless.config.parameters import default_parameters
 from bumpless.config.vehicle import Vehicle
 from bumpless.contract import bumpless_pb2 as pb
+from bumpless.sim.condition import Condition, condition_of
 from bumpless.sim.events import TwinEvent
 from bumpless.sim.log import LOG
 
@@ -37,6 +38,16 @@ class LightTwin:
 
     def abort(self, reason: str) -> None:
         self._to(pb.MISSION_PHASE_ABORTED, "mission_aborted", f"Mission aborted: {reason}.")
+
+    def surface(self) -> None:
+        self._to(pb.MISSION_PHASE_PAUSED, "surfacing", "up")
+
+    def wave_off(self) -> bool:
+        return False
+
+    @property
+    def condition(self) -> Condition:
+        return condition_of(self.mission, float(self._log[0]["time"]))
 
     def set_parameters(self, parameters: Any) -> None:
         self.parameters = parameters

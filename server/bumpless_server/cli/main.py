@@ -6,6 +6,7 @@ from bumpless_server.cli import (
     campaign,
     compare,
     envelope,
+    keys,
     metrics,
     repair,
     report,
@@ -48,6 +49,7 @@ app.command()(report.report)
 app.command()(envelope.envelope)
 app.command()(repair.repair)
 app.command()(reproduce.reproduce)
+app.add_typer(keys.app, name="keys")
 
 
 if __name__ == "__main__":
