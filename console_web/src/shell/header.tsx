@@ -7,6 +7,7 @@ import { setZone, timeOfDay, zone, zoneName } from "../lib/zone";
 import { type LinkLook, link } from "../stream/link";
 import { draft } from "../weights/draft";
 import { href } from "./address";
+import { OpenBus } from "./open_bus";
 import { view } from "./views";
 import "./header.css";
 import { live } from "../stream/store";
@@ -43,6 +44,7 @@ export function Header() {
       </nav>
       <span class="grow" />
       <Vehicle />
+      <OpenBus />
       <Clock />
       <Recording />
       <ThemeButton />

@@ -16,7 +16,9 @@ KEYS = Path("keys")
 def init(
     host: Annotated[
         list[str] | None,
-        typer.Option(help="Name or address of the router; the first is dialled.  [default: 127.0.0.1, localhost]"),
+        typer.Option(
+            help="Name or address of the router; the first is dialled.  [default: 127.0.0.1, localhost]"
+        ),
     ] = None,
     vehicle: Annotated[list[str] | None, typer.Option(help="Vehicle id.  [default: ts100]")] = None,
     observer: Annotated[list[str] | None, typer.Option(help="Name of somebody who may listen.")] = None,
@@ -34,7 +36,9 @@ def init(
     from bumpless_server.keys import folder
 
     hosts = tuple(host or ("127.0.0.1", "localhost"))
-    _tell(lambda: folder.init(out, hosts, tuple(vehicle or ("ts100",)), tuple(observer or ()), port, users_at))
+    _tell(
+        lambda: folder.init(out, hosts, tuple(vehicle or ("ts100",)), tuple(observer or ()), port, users_at)
+    )
 
 
 @app.command()

@@ -1,9 +1,9 @@
 """The folder of a fleet's keys: the authority, and for each party one file that holds all it needs.
 
-    authority.crt, authority.key   the authority; the key signs further parties and leaves this folder never
-    fleet.json                     who belongs to it, and where its router is
-    router.json5, users.txt        for the router: its configuration, and the passwords
-    server.json5, vehicle.ts100.json5, observer.ashore.json5   for each of the others
+authority.crt, authority.key   the authority; the key signs further parties and leaves this folder never
+fleet.json                     who belongs to it, and where its router is
+router.json5, users.txt        for the router: its configuration, and the passwords
+server.json5, vehicle.ts100.json5, observer.ashore.json5   for each of the others
 """
 
 import base64
@@ -54,7 +54,11 @@ def init(
         raise KeysError(f"{folder}: there are keys already; `bumpless keys add` adds a party to them")
     if not hosts:
         raise KeysError("a router needs a name or an address by which others reach it")
-    parties = [Party("server"), *(Party("vehicle", v) for v in vehicles), *(Party("observer", o) for o in observers)]
+    parties = [
+        Party("server"),
+        *(Party("vehicle", v) for v in vehicles),
+        *(Party("observer", o) for o in observers),
+    ]
     folder.mkdir(parents=True, exist_ok=True, mode=0o700)
     authority = new_authority()
     users = users_at or str((folder / USERS).resolve())
@@ -79,7 +83,7 @@ def add(folder: Path, party: Party) -> list[Path]:
 
 
 def remove(folder: Path, party: Party) -> list[Path]:
-    """Take a party's rights: the router, restarted with its new files, lets it in no more. Raises KeysError."""
+    """Take a party's rights; the router, started anew with its files, lets it in no more. Or KeysError."""
     fleet, _ = read(folder)
     if fleet.passwords.pop(party.common_name, None) is None:
         raise KeysError(f"{party.common_name} is not of this fleet")

@@ -55,7 +55,8 @@ class Bus:
         self._on_alive = on_alive
         self._config, self._at = _configured(listen, connect, config)
         # in words while strangers may speak here, "" when they can't
-        self.notice = bus_notice(*reversed(endpoints_of(self._config)), asks_for_keys(self._config))
+        dialled, listened = endpoints_of(self._config)
+        self.notice = bus_notice(listened, dialled, asks_for_keys(self._config))
         self._session: zenoh.Session | None = None
         self._held: list[Any] = []  # subscribers live as long as they are referenced
 
@@ -144,9 +145,7 @@ class Bus:
         self._on_alive(present)
 
 
-def _configured(
-    listen: Sequence[str], connect: Sequence[str], file: Path | None
-) -> tuple[zenoh.Config, str]:
+def _configured(listen: Sequence[str], connect: Sequence[str], file: Path | None) -> tuple[zenoh.Config, str]:
     """The session's configuration, and where it is in words."""
     if file is None:
         return session_config("peer", connect, listen), ", ".join(listen) or "no endpoint"

@@ -12,7 +12,9 @@ from bumpless.contract import names
 
 ROOT = "bumpless"
 ENCODING_PREFIX = "application/protobuf;"
-FILLED_S = 60.0  # a cut of the link up to this long leaves no gap: the vehicle keeps what it said, and is asked
+FILLED_S = (
+    60.0  # a cut of the link up to this long leaves no gap: the vehicle keeps what it said, and is asked
+)
 
 
 @dataclass(frozen=True)

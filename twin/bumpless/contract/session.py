@@ -46,7 +46,7 @@ def session_config(
 
 
 def session_file(path: Path) -> zenoh.Config:
-    """A Zenoh configuration of somebody's own: taken as it is. Raises OSError, or ValueError if it is none."""
+    """A Zenoh configuration of one's own, taken as it is. Raises OSError, or ValueError if it is none."""
     text = path.read_text()
     try:
         return zenoh.Config.from_json5(text)

@@ -46,7 +46,11 @@ class Watch:
             return  # no other number can be told from it
         depth = float(row["depth"])
         if 0.0 < d.depth_most_m < depth:
-            yield "depth_exceeded", f"It is {depth:.1f} m deep, {d.depth_most_m:g} m at most", d.depth_exceeded
+            yield (
+                "depth_exceeded",
+                f"It is {depth:.1f} m deep, {d.depth_most_m:g} m at most",
+                d.depth_exceeded,
+            )
         yield from self._boundary(row)
         if condition.leak:
             yield "leak", "It reports a leak", d.leak

@@ -47,9 +47,7 @@ class TwinLike(Protocol):
 class Flight:
     """One vehicle's twin and what it flies with. Every request gives a CommandReply."""
 
-    def __init__(
-        self, twin: TwinLike, declared: Failsafe | None = None, period_s: float = 0.05
-    ) -> None:
+    def __init__(self, twin: TwinLike, declared: Failsafe | None = None, period_s: float = 0.05) -> None:
         self.twin = twin
         self.place: np.ndarray | None = None  # [x y z phi theta psi] of the last cycle, m and rad
         self._watch = Watch(declared or Failsafe(), period_s)
@@ -132,7 +130,7 @@ class Flight:
         )
 
     def react(self, cause: str, what: str, reaction: Reaction) -> pb.CommandReply:
-        """Do what the vehicle's file declares for a cause, and put it on record; never less than is in force."""
+        """Do what the vehicle's file declares for a cause, and put it on record; no less than is in force."""
         if reaction == "none" or self.twin.phase not in MOVING:
             return self._done("nothing is to be done")
         details = {"cause": cause, "reaction": reaction}

@@ -49,8 +49,9 @@ class Memory:
                 return None
             told: dict[str, Any] = json.loads(self._path.read_bytes())
             north, east, down = (float(x) for x in told["position_ned_m"])
-            texts = (str(told[name]) for name in ("run_id", "file_name", "mission_yaml"))
-            return Left(*texts, int(told["seed"]), (north, east, down), float(told["heading_rad"]))
+            run_id, file_name, text = (str(told[name]) for name in ("run_id", "file_name", "mission_yaml"))
+            place, heading = (north, east, down), float(told["heading_rad"])
+            return Left(run_id, file_name, text, int(told["seed"]), place, heading)
         except (OSError, ValueError, KeyError, TypeError):
             return None
 

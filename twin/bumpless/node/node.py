@@ -17,8 +17,8 @@ from bumpless.contract.exits import FAILED, TAKEN
 from bumpless.contract.messages import descriptor_set
 from bumpless.contract.version import software_version
 from bumpless.node.claim import Claim, TakenError
-from bumpless.node.commands import Commander
 from bumpless.node.come_back import come_back
+from bumpless.node.commands import Commander
 from bumpless.node.failsafe import ClockWatch
 from bumpless.node.flight import Flight, TwinLike
 from bumpless.node.health import HealthReport
@@ -71,7 +71,9 @@ class Node:
             str(session.zid()),
             health=HealthReport(self._loop, ring, lambda: twin.condition),
         )
-        self._publisher = Publisher(ring, teller, BusWriter(session, name, not realtime, vehicle.control_period_s))
+        self._publisher = Publisher(
+            ring, teller, BusWriter(session, name, not realtime, vehicle.control_period_s)
+        )
         self._commander = Commander(
             name,
             vehicle,

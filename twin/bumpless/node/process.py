@@ -66,7 +66,9 @@ def main(
     stop = Stop()
     for number in (signal.SIGTERM, signal.SIGINT):
         signal.signal(number, lambda which, frame: stop(f"stopped by {signal.Signals(which).name}"))
-    options = Options(vehicle_id, vehicle_file, connect, listen, realtime, mission, mode, make_twin, zenoh_config, memory)
+    options = Options(
+        vehicle_id, vehicle_file, connect, listen, realtime, mission, mode, make_twin, zenoh_config, memory
+    )
     try:
         keys.check_vehicle_id(vehicle_id)
         return _run(options, stop)

@@ -12,8 +12,8 @@ from typing import Annotated, Any, Literal
 
 from bumpless.config.capacity import MAX_FAULTS, MAX_WAYPOINTS
 from bumpless.config.declare import Choice, Entries, Number, Overrides, Part, Row, Switch, Text, model
-from bumpless.config.mission.mishaps import MOST_MISHAPS, Mishap
 from bumpless.config.mission.dock import Dock, Motion
+from bumpless.config.mission.mishaps import MOST_MISHAPS, Mishap
 from bumpless.config.mission.notes import Vector3, direction, moment, position
 from bumpless.config.mission.origin import Origin
 from bumpless.config.mission.sea import Environment
