@@ -36,7 +36,6 @@ from bumpless_server.live.dispatch import Dispatcher
 from bumpless_server.live.freshness import freshness
 from bumpless_server.live.heart import Heart
 from bumpless_server.live.intake import Intake
-from bumpless_server.live.open_bus import bus_notice
 from bumpless_server.live.sample import AUDIT, CONTROL, EVENT, Sample
 from bumpless_server.live.speaker import Speaker
 from bumpless_server.live.state import State
@@ -134,8 +133,8 @@ class Console:
             self.speaker,
             self.tally,
             self._rival,
+            settings.zenoh_config,
         )
-        self.bus_notice = bus_notice(settings.zenoh_listen, settings.zenoh_connect)
         self.audit = Audit(self.data.audit, self._audited)
         self.desk = Desk(
             self.bus.command,
@@ -193,8 +192,8 @@ class Console:
             if self.settings.manage_node:
                 stack.callback(self.supervisor.stop)
                 self.supervisor.start()
-            if self.bus_notice:
-                self.say(pb.SEVERITY_WARNING, "bus_open", self.bus_notice, {})
+            if self.bus.notice:
+                self.say(pb.SEVERITY_WARNING, "bus_open", self.bus.notice, {})
             self._stop = stack.pop_all()
         self.started = True
 
@@ -240,7 +239,7 @@ class Console:
             node_managed=self.settings.manage_node,
             topics=freshness(self.state),
             clock_offset_s=self.clock.offset_s,
-            bus_notice=self.bus_notice,
+            bus_notice=self.bus.notice,
             set_aside=self.tally.total,
         )
 

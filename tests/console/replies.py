@@ -196,6 +196,7 @@ def vehicle(vehicle_id: str, name: str, controllable: list[str]) -> dict[str, An
         "diameter_m": 0.3,
         "actuators": [],
         "failsafe": [],
+        "depth_rating_m": None,
     }
 
 
