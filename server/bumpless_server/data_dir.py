@@ -32,7 +32,9 @@ class DataDir:
         self.alarms = root / "alarms.json"
         self.index = root / "index.sqlite"
         self.node_record = root / "node.json"
+        self.flight = root / "flight.json"  # the node's own: there while something flies
         self.audit = root / "audit.jsonl"
+        self.access = root / "access"  # accounts, tokens and sessions: for its owner's eyes
         self.node_log = root / "node.log"
         self._lock: IO[str] | None = None
 

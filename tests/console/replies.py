@@ -12,6 +12,7 @@ from tests.console.contract_server import ContractServer
 
 MISSIONS = Path(__file__).parents[2] / "missions"
 RUN_ID = "20260101T000000Z-docking-ab12"
+CLIENT = "0123456789ab"
 OLD_RUN_ID = "20251231T100000Z-docking_current-77aa"
 
 
@@ -118,10 +119,17 @@ def mission(name: str, title: str, summary: str, duration_s: float) -> dict[str,
     }
 
 
+def me(role: str = "engineer", accounts: bool = False, name: str = "") -> dict[str, Any]:
+    """Who the browser is: of the console's own tests always `CLIENT`."""
+    shown = name or f"Browser {CLIENT[:4]}"
+    return {"accounts": accounts, "name": name, "shown": shown, "role": role, "client": CLIENT}
+
+
 def default_replies(server: ContractServer) -> None:
     """Missions, ranges, presets and runs of a server in use."""
     docking = mission("docking.yaml", "Docking flight", "Cruise, brake and hover before the target.", 90.0)
     current = mission("docking_current.yaml", "Docking in a current", "The same with a cross current.", 120.0)
+    server.reply("GET", "me", me())
     server.reply("GET", "missions", [docking, current])
     geometry = {
         "path_ned_m": [[0, 0, 2.0], [10, 0, 2.0], [20, 4, 2.3], [24.5, 6, 2.3]],
@@ -188,6 +196,7 @@ def vehicle(vehicle_id: str, name: str, controllable: list[str]) -> dict[str, An
         "diameter_m": 0.3,
         "actuators": [],
         "failsafe": [],
+        "depth_rating_m": None,
     }
 
 

@@ -8,6 +8,7 @@ import { type LinkLook, link } from "../stream/link";
 import { draft } from "../weights/draft";
 import { sheet } from "../words/asked";
 import { href } from "./address";
+import { OpenBus } from "./open_bus";
 import { view } from "./views";
 import "./header.css";
 import { AlarmCount } from "../alarms/alarm_count";
@@ -55,6 +56,7 @@ export function Header() {
       <span class="grow" />
       <Vehicle />
       <AlarmCount />
+      <OpenBus />
       <Clock />
       <Recording />
       <button

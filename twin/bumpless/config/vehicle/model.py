@@ -40,6 +40,10 @@ class Document:
     control: Annotated[
         dict[str, Any], Overrides("Control parameters, in a file beside or here", of=Parameters)
     ] = field(default_factory=dict[str, Any])
+    depth_rating_m: Annotated[
+        float | None,
+        Number("Depth that it bears", "m", 0.0, 11000.0, help="A mission that leads deeper is refused."),
+    ] = None
     failsafe: Annotated[Failsafe, Part("What it does by itself when something fails")] = field(
         default_factory=Failsafe
     )
