@@ -77,7 +77,7 @@ SNAPSHOT = """() => {
         demand: allocation.textContent.includes('KKT'),
         states: [...new Set(panels.map(e => e.dataset.state))].sort(),
         ages: document.querySelectorAll('.live .age-chip').length > 0,
-        alert: [...document.querySelectorAll('[role="alert"]')].filter(shown).length > 0,
+        banner: text(document.querySelector('.banner strong')) ?? '',
         odd: /NaN|undefined|null|Infinity/.test(document.body.innerText),
     }
 }"""
@@ -124,9 +124,17 @@ def wanted(phase: Phase, fault: str) -> dict[str, Any]:
         "demand": phase.controlled,
         "states": ["fresh"] if present else ["stale"],
         "ages": not present,
-        "alert": fault not in ("none", "no recording"),
+        "banner": _banner(phase, fault),
         "odd": False,
     }
+
+
+def _banner(phase: Phase, fault: str) -> str:
+    """What stands across the page, whichever view is shown."""
+    if fault == "no recording":
+        return "This run is not being recorded" if phase.moves else ""
+    lost = {"link lost": "Link to the vehicle lost", "server lost": "Connection to the server lost"}
+    return {"none": "", "late": "Telemetry is late"}.get(fault) or lost.get(fault, "")
 
 
 @pytest.mark.parametrize("phase", PHASES)
