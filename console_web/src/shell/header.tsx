@@ -1,5 +1,5 @@
-// Top line: where you are, which vehicle, whether it is live, whether it is recorded.
-
+// Top line: where you are, which vehicle, whether it is live, who holds control, whether it is recorded.
+import { ControlChip } from "../access/control_chip";
 import { HELP, VIEWS } from "../gen/house";
 import { age, bytes } from "../lib/format";
 import { setTheme, theme } from "../lib/theme";
@@ -43,6 +43,7 @@ export function Header() {
       </nav>
       <span class="grow" />
       <Vehicle />
+      <ControlChip />
       <Clock />
       <Recording />
       <ThemeButton />
