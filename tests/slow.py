@@ -36,6 +36,7 @@ SLOW = (
     "tests/server/vehicle_process/test_crash.py",
     "tests/server/vehicle_process/test_supervise.py",
     "tests/server/web/test_commanding.py",
+    "tests/server/web/test_export_api.py",
     "tests/server/web/test_missions_api.py",
     # tens of thousands of problems, and code compiled anew
     "tests/control/allocation/test_mdca_optimum.py",

@@ -36,26 +36,30 @@ from bumpless_server.live.dispatch import Dispatcher
 from bumpless_server.live.freshness import freshness
 from bumpless_server.live.heart import Heart
 from bumpless_server.live.intake import Intake
-from bumpless_server.live.open_bus import bus_notice
 from bumpless_server.live.sample import AUDIT, CONTROL, EVENT, Sample
 from bumpless_server.live.speaker import Speaker
 from bumpless_server.live.state import State
 from bumpless_server.live.stream import Stream
 from bumpless_server.live.tally import KINDS, Tally, printable
 from bumpless_server.live.tuned import Tuned
+from bumpless_server.plan.charts.store import Charts
 from bumpless_server.plan.library import Library
 from bumpless_server.plan.missions import Missions
 from bumpless_server.plan.presets import Presets
 from bumpless_server.runs.catalogue import Catalogue
 from bumpless_server.runs.disk_budget import DiskBudget
+from bumpless_server.runs.errands import Errands
 from bumpless_server.runs.recorder import Recorder
 from bumpless_server.runs.replays import Replays
 from bumpless_server.runs.shelf import Shelf
+from bumpless_server.scene.ghosts import Ghosts
 from bumpless_server.settings import Settings
 from bumpless_server.vehicle_process.node_command import node_command
 from bumpless_server.vehicle_process.supervise import Supervisor
 from bumpless_server.views.foxglove import Foxglove
 from bumpless_server.views.ready import envelopes_ready
+from bumpless_server.what_if.desk import WhatIfDesk
+from bumpless_server.what_if.revisions import Revisions
 
 log = logging.getLogger(__name__)
 
@@ -75,11 +79,22 @@ class Console:
         self.missions = Missions(self.data.missions, vehicle=self.vehicle)
         self.library = Library(self.missions, self.data)
         self.presets = Presets(self.data.presets)
-        self.findings = Findings()
-        self.foresight = Foresight(self._present)  # on the web's loop, which ends it
+        self.charts = Charts(self.data.charts)
+        self.findings = Findings(self.charts)
+        self.foresight = Foresight(self._present, charts=self.data.charts)  # on the web's loop, which ends it
         self.catalogue = Catalogue(self.data.runs, self.data.index)
         self.replays = Replays()
+        self.errands = Errands(self.data.scratch)
+        self.what_if = WhatIfDesk()  # on the web's loop, which ends it
+        self.ghosts = Ghosts()  # for the scene
+        self.revisions = Revisions(self.data.revisions)
         self.shelf = Shelf(self.data.words, self.data.run_bin)
+        self.budget = DiskBudget(
+            self.data.runs,
+            settings.runs_max_bytes,
+            settings.disk_free_bytes,
+            *([self._prune] if settings.runs_prune else []),
+        )
         self.recorder = Recorder(
             self.data.runs,
             self.say,
@@ -87,17 +102,13 @@ class Console:
             _views,
             settings.recorder_queue_messages,
             settings.recorder_queue_bytes,
-            DiskBudget(
-                self.data.runs,
-                settings.runs_max_bytes,
-                settings.disk_free_bytes,
-                *([self._prune] if settings.runs_prune else []),
-            ),
+            self.budget,
         )
         self.alarms = Watch(
             lambda: read_limits(self.data.limits / f"{settings.vehicle_id}.toml"),
             self.data.alarms,
             self._tell,
+            self.data.runs,
         )
         self.stream = Stream(self.state)
         self.lease = Lease(self._control, self.say)
@@ -122,8 +133,8 @@ class Console:
             self.speaker,
             self.tally,
             self._rival,
+            settings.zenoh_config,
         )
-        self.bus_notice = bus_notice(settings.zenoh_listen, settings.zenoh_connect)
         self.audit = Audit(self.data.audit, self._audited)
         self.desk = Desk(
             self.bus.command,
@@ -156,6 +167,8 @@ class Console:
             self._let_somebody_in()
             self.audit.open()
             self.shelf.open()
+            self.errands.open()
+            self.revisions.open()
             self.catalogue.open()
             stack.callback(self.catalogue.close)
             stack.callback(self.replays.close)
@@ -179,8 +192,8 @@ class Console:
             if self.settings.manage_node:
                 stack.callback(self.supervisor.stop)
                 self.supervisor.start()
-            if self.bus_notice:
-                self.say(pb.SEVERITY_WARNING, "bus_open", self.bus_notice, {})
+            if self.bus.notice:
+                self.say(pb.SEVERITY_WARNING, "bus_open", self.bus.notice, {})
             self._stop = stack.pop_all()
         self.started = True
 
@@ -226,7 +239,7 @@ class Console:
             node_managed=self.settings.manage_node,
             topics=freshness(self.state),
             clock_offset_s=self.clock.offset_s,
-            bus_notice=self.bus_notice,
+            bus_notice=self.bus.notice,
             set_aside=self.tally.total,
         )
 
@@ -248,7 +261,12 @@ class Console:
 
     def left_out(self) -> list[tuple[str, str, str]]:
         """(folder, name, reason) of what lies in the data folder and stands in no list."""
-        folders = {"runs": self.catalogue, "missions": self.missions, "presets": self.presets}
+        folders = {
+            "runs": self.catalogue,
+            "missions": self.missions,
+            "presets": self.presets,
+            "charts": self.charts,
+        }
         return [
             (folder, name, reason)
             for folder, kept in folders.items()

@@ -52,6 +52,14 @@ class Settings(BaseSettings):
         description="endpoints where the server's bus session listens; none where it connects, by default",
     )
     zenoh_connect: Names = Field(default=(), description="endpoints the server's bus session connects to")
+    zenoh_config: Path | None = Field(
+        default=None,
+        description="Zenoh configuration of the server's bus session, such as `bumpless keys` makes;"
+        " instead of the endpoints",
+    )
+    node_zenoh_config: Path | None = Field(
+        default=None, description="the same for the vehicle node that the server starts"
+    )
     scene: Literal["full", "light", "off"] = Field(
         default="full", description="the 3-D scene; light draws fewer polygons for machines without a GPU"
     )
@@ -102,6 +110,17 @@ class Settings(BaseSettings):
         description="largest body of a request: mission file, preset, another program's mission",
     )
 
+    tiles: str = Field(
+        default="",
+        pattern=r"^$|^https?://[^\s\"'<>]*\{z\}[^\s\"'<>]*$",
+        max_length=400,
+        description="address of a base map's tiles under plans, with {z}, {x} and {y}; browsers then fetch "
+        "them from there; none: no tiles",
+    )
+    tiles_attribution: str = Field(
+        default="", max_length=200, description="what the tiles' maker wants to be read on the map"
+    )
+
     @field_validator("zenoh_listen", "zenoh_connect", "allowed_hosts", "proxies", mode="before")
     @classmethod
     def _split_names(cls, value: Any) -> Any:
@@ -121,8 +140,20 @@ class Settings(BaseSettings):
     @model_validator(mode="after")
     def _one_bus_is_enough(self) -> "Settings":
         """A router on this machine has our port already; where we connect to one, nobody connects to us."""
-        if self.zenoh_connect and "zenoh_listen" not in self.model_fields_set:
+        if (self.zenoh_connect or self.zenoh_config) and "zenoh_listen" not in self.model_fields_set:
             object.__setattr__(self, "zenoh_listen", ())
+        return self
+
+    @model_validator(mode="after")
+    def _a_configuration_says_it_all(self) -> "Settings":
+        """Two sources for one session would contradict each other, and the node must not borrow our keys."""
+        if self.zenoh_config is None:
+            return self
+        if self.zenoh_listen or self.zenoh_connect:
+            raise ValueError("zenoh_config says all of the bus: leave zenoh_listen and zenoh_connect out")
+        if self.manage_node and self.node_zenoh_config is None and not self.node_command:
+            raise ValueError("with zenoh_config the node needs keys of its own: give node_zenoh_config,"
+                             " or manage_node=false")  # fmt: skip
         return self
 
     @field_validator("node_command", mode="before")

@@ -169,6 +169,7 @@ def description() -> Messages:
         control_period_s=PERIOD_S,
         actuator_names=ACTUATORS,
         session_id="one",
+        sha256="0" * 64,
     )
     health = pb.Health(stamp=stamp(0), cycles=1000, lateness_p99_ms=0.4)
     return [("tlm/description", about), ("tlm/health", health)]

@@ -14,6 +14,13 @@ export type Answer<T> = { ok: true; value: T } | Refusal;
 
 const TIMEOUT_MS = 15_000;
 
+/** What a request can say besides. */
+export interface More {
+  headers?: Record<string, string>;
+  /** Patience with work that takes the server longer than an answer. */
+  timeoutMs?: number;
+}
+
 function text(value: unknown): string {
   return value === undefined || value === null
     ? ""
@@ -72,16 +79,17 @@ export async function request<T>(
   method: string,
   path: string,
   body?: string | Blob | object,
+  { headers = {}, timeoutMs = TIMEOUT_MS }: More = {},
 ): Promise<Answer<T>> {
-  const init: RequestInit = { method, signal: AbortSignal.timeout(TIMEOUT_MS), cache: "no-store" };
+  const init: RequestInit = { method, signal: AbortSignal.timeout(timeoutMs), cache: "no-store", headers };
   if (body instanceof Blob) {
     init.body = body;
   } else if (typeof body === "string") {
     init.body = body;
-    init.headers = { "content-type": "text/plain; charset=utf-8" };
+    init.headers = { ...headers, "content-type": "text/plain; charset=utf-8" };
   } else if (body !== undefined) {
     init.body = JSON.stringify(body);
-    init.headers = { "content-type": "application/json" };
+    init.headers = { ...headers, "content-type": "application/json" };
   }
   try {
     const response = await fetch(path, init);
@@ -95,7 +103,9 @@ export async function request<T>(
     return { ok: true, value };
   } catch (error) {
     const late = error instanceof DOMException && error.name === "TimeoutError";
-    const reason = late ? "The server did not answer within 15 s." : "The server cannot be reached.";
+    const reason = late
+      ? `The server did not answer within ${timeoutMs / 1000} s.`
+      : "The server cannot be reached.";
     return { ok: false, status: 0, reason, problems: [] };
   }
 }

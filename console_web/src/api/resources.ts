@@ -10,6 +10,7 @@ export const me = new Resource(() => ask("get", "/api/me"));
 export const runs = new Resource(() => ask("get", "/api/runs"));
 export const presets = new Resource(() => ask("get", "/api/presets"));
 export const vehicle = new Resource(() => ask("get", "/api/vehicle"));
+export const revisions = new Resource(() => ask("get", "/api/parameters/revisions"));
 export const parameterRanges = new Resource(() => ask("get", "/api/parameters"));
 
 /** Call `act` when `news` gives another value than before; not for the first. */

@@ -15,6 +15,7 @@ KINDS: dict[str, str] = {
     "bad_name": "A name from the bus that breaks its rule names nothing here.",
     "non_finite": "Messages with numbers that are none are passed on and recorded as they are.",
     "out_of_order": "Messages that are older than one already heard are recorded, not shown.",
+    "missed": "Messages that were lost on the way and that the vehicle no longer had when asked for them.",
     "second_speaker": "Somebody else than the vehicle says the vehicle's words; they are not taken.",
     "foreign_reply": "Somebody else than the vehicle answers its commands; the answer does not count.",
     "no_answer": "Commands that the vehicle did not answer in time.",

@@ -16,7 +16,7 @@ from pathlib import Path
 
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.enums import COMPLETED, FLYING
-from bumpless.contract.keys import TOPICS
+from bumpless.contract.keys import FILLED_S, TOPICS
 from bumpless.contract.messages import stamp_of
 from bumpless.contract.names import RUN
 from bumpless.runs.info import ending_of
@@ -40,6 +40,8 @@ SETTLE_S = 0.5  # after the end, for the rest of the last cycle
 RETRY_S = 5.0  # after a disk without room, and the first time after a failing one
 MAX_RETRY_S = 300.0  # each try may leave a part of the run behind: twice as long each time, up to this
 
+LOST = "link to the vehicle lost"
+
 Say = Callable[[pb.Severity, str, str, dict[str, str]], None]
 
 
@@ -62,6 +64,7 @@ class Recorder:
         queue_messages: int = 20_000,
         queue_bytes: int = 64_000_000,
         budget: DiskBudget | None = None,
+        patience_s: float = FILLED_S,
     ) -> None:
         self._folder, self._say, self._closed, self._views = folder, say, closed, views
         self._queue: BoundedQueue[Sample | _LinkLost] = BoundedQueue(
@@ -79,6 +82,8 @@ class Recorder:
         self._dropped_before = 0
         self._end: tuple[pb.MissionStatus, float] | None = None  # last status and when to close
         self._flush_at = 0.0
+        self._patience_s = patience_s  # for a lost vehicle, which may come back with what was missed
+        self._lost_until: float | None = None
         self._holds = False  # what is recorded is a hold after a mission
         self._budget = budget or DiskBudget(folder)
         self._lack = ""  # of room on the disk
@@ -114,7 +119,7 @@ class Recorder:
         self._queue.put(sample)
 
     def link_lost(self) -> None:
-        """The vehicle is gone: the run's file is closed."""
+        """The vehicle is gone: the run's file waits for it for a while and is closed then."""
         self._queue.put(_LinkLost())
 
     @property
@@ -173,13 +178,15 @@ class Recorder:
     def _wait_s(self) -> float | None:
         if self._run is None:
             return None
-        due = self._flush_at if self._end is None else min(self._flush_at, self._end[1])
-        return max(0.0, due - time.monotonic())
+        ends = (self._flush_at, self._end and self._end[1], self._lost_until)
+        return max(0.0, min(due for due in ends if due is not None) - time.monotonic())
 
     def _on_time(self) -> None:
         now = time.monotonic()
         if self._end is not None and now >= self._end[1]:
             self._finish_ended()
+        if self._lost_until is not None and now >= self._lost_until:
+            self._finish(INTERRUPTED, LOST)
         if self._run is not None and now >= self._flush_at:
             self._run.flush()
             self._flush_at, self._failure = now + FLUSH_S, ""
@@ -195,14 +202,19 @@ class Recorder:
         if isinstance(item, _LinkLost):
             if self._end is not None:
                 self._finish_ended()
-            self._finish(INTERRUPTED, "link to the vehicle lost")
+            if self._run is not None and self._speaker:
+                self._lost_until = time.monotonic() + self._patience_s
+            else:  # nobody will know whether it is the same vehicle that comes back
+                self._finish(INTERRUPTED, LOST)
             self._forget()
             return
         if self._run is not None and item.session != self._speaker:
             # the file ends as nobody's success: what the other says belongs to its own run
             self._end = None
-            self._finish(INTERRUPTED, "another session speaks for the vehicle")
+            lost = self._lost_until is not None
+            self._finish(INTERRUPTED, LOST if lost else "another session speaks for the vehicle")
             self._forget()
+        self._lost_until = None
         if item.topic == MISSION and self._is_after_end(item):
             self._finish_ended()
         if item.topic in CONTEXT:
@@ -307,7 +319,7 @@ class Recorder:
         self._finish(*ending_of(self._end[0]))
 
     def _finish(self, state: str, reason: str) -> None:
-        run, self._end = self._run, None
+        run, self._end, self._lost_until = self._run, None, None
         if run is None:
             return
         try:

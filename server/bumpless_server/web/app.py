@@ -17,26 +17,31 @@ from bumpless_server.web.guard import Guard
 from bumpless_server.web.guesses import Guesses
 from bumpless_server.web.routes import (
     alarms,
+    charts,
     compare,
     control,
     declared,
     diagnostics,
     exchange,
+    export,
     findings,
     foresight,
     help,
+    hull,
     library,
     missions,
     page,
     parameters,
     people,
     planning,
+    refly,
     replay,
     report,
     runs,
     shelf,
     status,
     stream,
+    what_if,
 )
 
 log = logging.getLogger(__name__)
@@ -54,11 +59,16 @@ ROUTERS = tuple(
         exchange,
         library,
         planning,
+        charts,
         parameters,
         declared,
         compare,
         replay,
         report,
+        export,
+        refly,
+        hull,
+        what_if,
         runs,
         shelf,
         stream,
@@ -79,6 +89,7 @@ def create_app(settings: Settings, console: Console | None = None) -> FastAPI:
                 await run_in_threadpool(console.start)
                 stack.push_async_callback(run_in_threadpool, console.stop)
             stack.push_async_callback(console.foresight.stop)
+            stack.push_async_callback(console.what_if.stop)
             if app.state.scene is not None:
                 await _start(app.state.scene, stack)
             yield
@@ -94,7 +105,8 @@ def create_app(settings: Settings, console: Console | None = None) -> FastAPI:
         app.include_router(router)
     app.state.scene = None
     if settings.scene != "off":
-        app.state.scene = scene = Scene(console.state, session_cookie, light=settings.scene == "light")
+        light = settings.scene == "light"
+        app.state.scene = scene = Scene(console.state, session_cookie, light, ghosts=console.ghosts)
         app.include_router(scene.router)
     interface.install(app)
     help.mount(app)

@@ -18,6 +18,7 @@ from bumpless_server.access.passwords import WeakPassword
 from bumpless_server.files import BadName
 from bumpless_server.live.ask import NoAnswer
 from bumpless_server.live.desk import Busy
+from bumpless_server.plan.charts.store import NoChart, TooManyCharts
 from bumpless_server.plan.drafts import TooManyDrafts
 from bumpless_server.plan.library import NoMission
 from bumpless_server.plan.missions import MissionExists
@@ -93,12 +94,14 @@ def install(app: FastAPI) -> None:
     async def exists(_request: Request, error: MissionExists) -> JSONResponse:
         return answer(409, str(error))
 
+    @app.exception_handler(NoChart)
     @app.exception_handler(NoMission)
-    async def no_mission(_request: Request, error: NoMission) -> JSONResponse:
+    async def not_there(_request: Request, error: LookupError) -> JSONResponse:
         return answer(404, str(error))
 
+    @app.exception_handler(TooManyCharts)
     @app.exception_handler(TooManyDrafts)
-    async def too_many_drafts(_request: Request, error: TooManyDrafts) -> JSONResponse:
+    async def too_many(_request: Request, error: Exception) -> JSONResponse:
         return answer(409, str(error))
 
     @app.exception_handler(NoAnswer)

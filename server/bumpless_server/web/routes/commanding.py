@@ -36,6 +36,12 @@ class Commanding:
         self._console = console
         self._request = request
 
+    @property
+    def author(self) -> str:
+        """Who asks: the account, or where nobody logs in, as they say."""
+        who = who_asks(self._request)
+        return who.shown if not who.open else printable(self._request.headers.get("x-operator", ""))[:MOST_AUTHOR]
+
     async def carry_out(self, verb: str, message: Message, author: str = "", **details: Any) -> CommandReply:
         """Ask the vehicle; a refusal is a 409 with its reason, 412 for a stale revision, 503 when late."""
         who = who_asks(self._request)
@@ -48,9 +54,7 @@ class Commanding:
         command = Command(
             verb,
             message,
-            author=who.shown
-            if not who.open
-            else printable(author or headers.get("x-operator", ""))[:MOST_AUTHOR],
+            author=(printable(author)[:MOST_AUTHOR] if who.open else "") or self.author,
             address=address_of(self._request.scope),
             if_revision=_revision(headers.get("if-match")),
             details=details,
