@@ -72,7 +72,7 @@ export function ControlPanel() {
 function Holding() {
   const state = control.value;
   if (!state?.holder) return <>Nobody holds control: the next command takes it.</>;
-  const since = dateTime(Number(state.sinceNs / 1_000_000n));
+  const since = dateTime(new Date(Number(state.sinceNs / 1_000_000n)).toISOString());
   return (
     <>
       {holds.value ? "You hold control" : <strong>{state.holderName}</strong>}

@@ -1,5 +1,4 @@
-// Top line: where you are, which vehicle, whether it is live, who holds control, whether it is recorded.
-import { ControlChip } from "../access/control_chip";
+// Top line: where you are, which vehicle, whether it is live, whether it is recorded.
 import { HELP, VIEWS } from "../gen/house";
 import { age, bytes } from "../lib/format";
 import { setTheme, theme } from "../lib/theme";
@@ -55,7 +54,6 @@ export function Header() {
       </nav>
       <span class="grow" />
       <Vehicle />
-      <ControlChip />
       <AlarmCount />
       <OpenBus />
       <Clock />

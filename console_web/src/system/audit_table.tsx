@@ -67,7 +67,7 @@ export function AuditTable() {
 function Row({ entry }: { entry: AuditEntry }) {
   return (
     <tr>
-      <td class="num">{dateTime(entry.time)}</td>
+      <td class="when">{dateTime(entry.time)}</td>
       <td title={entry.address}>{entry.author || <span class="muted">{entry.address || "–"}</span>}</td>
       <th scope="row">{entry.verb.replaceAll("_", " ")}</th>
       <td class="wraps code">{changesOf(entry).join("; ")}</td>
@@ -75,7 +75,7 @@ function Row({ entry }: { entry: AuditEntry }) {
         <span class={LOOKS[entry.answer]}>{ANSWERS[entry.answer]}</span>{" "}
         <span class="muted">{entry.said}</span>
       </td>
-      <td class="num">{fixed(entry.took_s, 2)} s</td>
+      <td class="num">{entry.took_s > 0 && `${fixed(entry.took_s, 2)} s`}</td>
     </tr>
   );
 }

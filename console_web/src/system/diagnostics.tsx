@@ -61,7 +61,7 @@ export function Diagnostics() {
                   <th scope="row" class="wraps">
                     {one.meaning}
                   </th>
-                  <td class="num">{one.last ? dateTime(one.last) : "never"}</td>
+                  <td class="when">{one.last ? dateTime(one.last) : "never"}</td>
                   <td class="code wraps">{one.example}</td>
                 </tr>
               ))}
@@ -89,7 +89,7 @@ export function Diagnostics() {
                 <th scope="row" class="code">
                   {topic.topic}
                 </th>
-                <td class="num">{age(topic.age_s ?? undefined)}</td>
+                <td class="num">{topic.age_s === null ? "never heard" : age(topic.age_s)}</td>
                 <td class="num">{fixed(topic.fresh_for_s, 1)} s</td>
                 <td>{topic.late ? <span class="lost">late</span> : "present"}</td>
               </tr>

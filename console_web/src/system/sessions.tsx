@@ -34,9 +34,9 @@ export function Sessions() {
                   {one.user} {one.mine && <span class="tag">this browser</span>}
                 </th>
                 <td class="code">{one.address}</td>
-                <td class="num">{dateTime(one.since)}</td>
-                <td class="num">{dateTime(one.seen)}</td>
-                <td class="num">{dateTime(one.ends)}</td>
+                <td class="when">{dateTime(one.since)}</td>
+                <td class="when">{dateTime(one.seen)}</td>
+                <td class="when">{dateTime(one.ends)}</td>
                 <td>
                   <button
                     type="button"

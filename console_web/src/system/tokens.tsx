@@ -35,8 +35,8 @@ export function Tokens() {
                 <th scope="row">{one.name}</th>
                 <td>{one.user}</td>
                 <td>{one.role}</td>
-                <td class="num">{dateTime(one.since)}</td>
-                <td class="num">{one.until ? dateTime(one.until) : "revoked"}</td>
+                <td class="when">{dateTime(one.since)}</td>
+                <td class="when">{one.until ? dateTime(one.until) : "revoked"}</td>
                 <td>
                   <DeleteButton
                     name={`Revoke ${one.name}`}

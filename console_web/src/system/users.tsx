@@ -58,7 +58,7 @@ export function Users() {
                     onChoose={(role) => void change(user.name, { role })}
                   />
                 </td>
-                <td class="num">{dateTime(user.since)}</td>
+                <td class="when">{dateTime(user.since)}</td>
                 <td class="num">{user.sessions}</td>
                 <td class="num">{user.tokens}</td>
                 <td>
