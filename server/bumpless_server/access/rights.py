@@ -86,6 +86,19 @@ ROWS: tuple[Row, ...] = (
         GET /api/runs/{run}/report.html
         GET /api/runs/{run}/metrics
         GET /api/runs/{run}/log.mcap
+        GET /api/runs/{run}/export
+        GET /api/runs/{run}/hull
+        GET /api/compare/report.html
+        GET /api/foxglove_layout.json
+        GET /api/parameters/revisions
+        GET /api/alarms/limits
+        GET /api/vehicle/reach
+        GET /api/charts
+        GET /api/charts/tiles
+        GET /api/charts/{name}/file
+        GET /api/charts/{name}/picture
+        GET /api/charts/{name}/shown
+        POST /api/what-if
         GET /api/bin
         POST /api/scene/camera
         GET /scene/
@@ -120,6 +133,10 @@ ROWS: tuple[Row, ...] = (
         POST /api/mission-bin/{binned}/restore
         DELETE /api/runs/{run}
         PUT /api/runs/{run}/words
+        POST /api/runs/{run}/refly
+        PUT /api/charts/{name}
+        PUT /api/charts/{name}/owners
+        DELETE /api/charts/{name}
         POST /api/bin/{run}/restore
         """,
     ),
