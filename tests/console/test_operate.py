@@ -8,7 +8,7 @@ from playwright.sync_api import Page, expect
 from bumpless.contract import bumpless_pb2 as pb
 from tests.console import flight
 from tests.console.contract_server import ContractServer
-from tests.console.replies import OLD_RUN_ID
+from tests.console.replies import OLD_RUN_ID, as_json
 
 
 def in_flight(time_s: float) -> flight.Messages:
@@ -183,8 +183,15 @@ def test_every_symbol_explains_itself_by_keyboard_and_touch(console: Page, serve
 
 def test_a_question_mark_opens_words_and_keys(console: Page, server: ContractServer) -> None:
     """Protects the glossary: searched as one types, with what can be tuned by its own declaration."""
-    help_ = {"path": "hover.lambda", "label": "Price of change", "help": "How much a change costs.", "unit": ""}
-    more = {"kind": "number", "type": "number", "required": False, "nullable": False, "live": True}
+    help_ = {"path": "hover.lambda", "label": "Price of change", "help": "How much a change costs."}
+    more = {
+        "unit": "",
+        "kind": "number",
+        "type": "number",
+        "required": False,
+        "nullable": False,
+        "live": True,
+    }
     server.reply("GET", "fields/parameters", [help_ | more])
     console.get_by_role("link", name="Runs").focus()
     console.keyboard.press("?")
@@ -240,7 +247,8 @@ def test_an_empty_live_view_offers_three_ways_to_begin(console: Page, server: Co
     body = server.wait_for_call("POST", "mission/start").json()
     assert body["name"] == "docking.yaml" and body["sha256"].startswith("5f2a9c")
     caption = console.get_by_role("region", name="What happens")
-    for time_s, word in ((10.0, "Forward: it cruises"), (30.0, "Reverse: the range"), (50.0, "Hover: at the")):
+    words = {10.0: "Forward: it cruises", 30.0: "Reverse: the range", 50.0: "Hover: at the"}
+    for time_s, word in words.items():
         server.keep_saying(in_flight(time_s))
         expect(caption).to_contain_text(word)
     caption.get_by_role("button", name="Close the captions").click()
@@ -269,7 +277,7 @@ def alarm(priority: int, severity: "pb.Severity", code: str, **said: int | str) 
 
 
 def test_alarms_stand_by_priority_each_in_its_own_shape(console: Page, server: ContractServer) -> None:
-    """Protects five priorities told without colour, the most urgent first, with who has seen which and when."""
+    """Protects five priorities told without colour, most urgent first, with who has seen which and when."""
     said = [alarm(*one[:3]) for one in ALARMS]
     said[1].acknowledged_ns, said[1].acknowledged_by = flight.START_NS, "Ada"
     server.say([("server/alarms", pb.Alarms(alarms=said))])
@@ -280,14 +288,13 @@ def test_alarms_stand_by_priority_each_in_its_own_shape(console: Page, server: C
     bar = console.get_by_role("region", name="Alarms")
     expect(bar.get_by_role("listitem")).to_contain_text("Of node_died.")
     counts.get_by_role("button", name=re.compile("Critical")).click()
-    expect(bar.get_by_role("listitem").filter(has_text="Of leak.")).to_contain_text("seen by Ada at 08:53:20 UTC")
+    leak = bar.get_by_role("listitem").filter(has_text="Of leak.")
+    expect(leak).to_contain_text("seen by Ada at 08:53:20 UTC")
 
 
 def test_what_is_over_can_be_read_again(console: Page, server: ContractServer) -> None:
     """Protects the history: what was raised, gone, and seen by whom, also where nothing is open."""
     over = alarm(1, pb.SEVERITY_ALARM, "node_died", returned_ns=1, acknowledged_by="Ada")
-    from tests.console.replies import as_json
-
     server.reply("GET", "alarms", {"open": [], "history": [as_json(over)]})
     bar = console.get_by_role("region", name="Alarms", exact=True)
     expect(bar).to_have_count(0)
@@ -306,18 +313,30 @@ def test_an_alarm_is_shelved_for_as_long_as_is_chosen(console: Page, server: Con
     assert server.wait_for_call("POST", "alarms/saturated/shelve").json()["seconds"] == 3600
 
 
+def test_alarms_are_seen_by_who_is_in_control(console: Page, server: ContractServer) -> None:
+    """Protects from an alarm that somebody looking on put away before the crew had read it."""
+    server.say(flight.held_by("another", "Ada"))
+    server.say([("server/alarms", pb.Alarms(alarms=[alarm(*ALARMS[3][:3])]))])
+    bar = console.get_by_role("region", name="Alarms")
+    for name in ("Seen", "Shelve"):
+        expect(bar.get_by_role("button", name=name)).to_be_disabled()
+        expect(bar.get_by_role("button", name=name)).to_have_attribute("title", "For who is in control")
+
+
 def test_alarms_are_silent_until_somebody_wants_to_hear_them(console: Page, server: ContractServer) -> None:
     """Protects a room from noise that nobody asked for, and who asked for it from missing one."""
     console.evaluate(
         """() => { window.tones = 0; const start = OscillatorNode.prototype.start;
-            OscillatorNode.prototype.start = function (...a) { window.tones += 1; return start.apply(this, a) } }"""
+            OscillatorNode.prototype.start = function (...a) {
+                window.tones += 1; return start.apply(this, a) } }"""
     )
     bar = console.get_by_role("region", name="Alarms")
     server.say([("server/alarms", pb.Alarms(alarms=[alarm(*ALARMS[1][:3])]))])
     expect(bar).to_be_visible()
     assert console.evaluate("window.tones") == 0
-    console.get_by_role("button", name="Sound of new alarms").click()
-    expect(console.get_by_role("button", name="Sound of new alarms")).to_have_attribute("aria-pressed", "true")
+    sound = console.get_by_role("button", name="Sound of new alarms")
+    sound.click()
+    expect(sound).to_have_attribute("aria-pressed", "true")
     before = console.evaluate("window.tones")
     server.say([("server/alarms", pb.Alarms(alarms=[alarm(*one[:3]) for one in ALARMS[:2]]))])
     expect(bar).to_contain_text("Of node_died.")

@@ -55,7 +55,7 @@ export interface paths {
         put?: never;
         /**
          * Acknowledge
-         * @description Somebody has seen it. One whose cause has gone is over with that.
+         * @description Who is in control has seen it. One whose cause has gone is over with that.
          */
         post: operations["acknowledge_api_alarms__alarm__acknowledge_post"];
         delete?: never;
@@ -75,7 +75,7 @@ export interface paths {
         put?: never;
         /**
          * Shelve
-         * @description Keep it out of the way for a time; it comes back by itself.
+         * @description Keep it out of the way for a time; it comes back by itself. For who is in control.
          */
         post: operations["shelve_api_alarms__alarm__shelve_post"];
         delete?: never;
@@ -1992,21 +1992,8 @@ export interface components {
             /** Title */
             title: string;
         };
-        /** Body_acknowledge_api_alarms__alarm__acknowledge_post */
-        Body_acknowledge_api_alarms__alarm__acknowledge_post: {
-            /**
-             * By
-             * @default operator
-             */
-            by?: string;
-        };
         /** Body_shelve_api_alarms__alarm__shelve_post */
         Body_shelve_api_alarms__alarm__shelve_post: {
-            /**
-             * By
-             * @default operator
-             */
-            by?: string;
             /**
              * Seconds
              * @default 600
@@ -4740,11 +4727,7 @@ export interface operations {
             };
             cookie?: never;
         };
-        requestBody?: {
-            content: {
-                "application/json": components["schemas"]["Body_acknowledge_api_alarms__alarm__acknowledge_post"];
-            };
-        };
+        requestBody?: never;
         responses: {
             /** @description Successful Response */
             204: {
