@@ -5,7 +5,7 @@
 
 Speeds are wall times of the real processes, from a request's sending to the message's arrival; the browser's
 own part is measured in the browser. `--chance` flies as many missions and counts on how many the interval of
-a fan of 200 holds the share of fresh flights, drawn with other seeds, that dock.
+a fan of 200 holds the share of fresh flights that dock, drawn with other seeds and at random, not evenly.
 """
 
 import argparse
@@ -87,8 +87,9 @@ def chance(missions: int, fresh: int) -> list[dict[str, Any]]:
     found = []
     with ProcessPoolExecutor(2, get_context("spawn")) as pool:
         for k, (name, text) in enumerate(planned(missions)):
-            parts = [(text, k, first, FAN // 2) for first in (0, FAN // 2)]
-            parts += [(text, FRESH_SEED + k, first, fresh // 10) for first in range(0, fresh, fresh // 10)]
+            parts = [(text, k, first, FAN // 2, True) for first in (0, FAN // 2)]
+            step = max(fresh // 10, 1)
+            parts += [(text, FRESH_SEED + k, first, step, False) for first in range(0, fresh, step)]
             docked = list(pool.map(_docked, parts))
             share, true = share_of(sum(docked[:2]), FAN), sum(docked[2:]) / fresh
             row = {"mission": name, "fan": share.share, "low": share.low, "high": share.high}
@@ -97,17 +98,20 @@ def chance(missions: int, fresh: int) -> list[dict[str, Any]]:
     return found
 
 
-def _docked(part: tuple[str, int, int, int]) -> int:
+def _docked(part: tuple[str, int, int, int, bool]) -> int:
     """How many of `count` drawn flights from `first` on dock."""
+    from dataclasses import replace
+
     from bumpless.campaign.flight import Hangar
     from bumpless.campaign.ready import ready
     from bumpless_server.foresight import fan
     from bumpless_server.foresight.plan import plan_of
     from bumpless_server.foresight.wanted import ForesightRequest
 
-    text, seed, first, count = part
+    text, seed, first, count, even = part
     ready()
     drawn = fan.prepared(plan_of(ForesightRequest.model_validate({"id": 0, "text": text, "seed": seed})))
+    drawn = replace(drawn, even=even)
     return sum(flight.outcome == "docked" for flight in fan.fly(drawn, first, count, Hangar()))
 
 
