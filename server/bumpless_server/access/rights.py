@@ -62,6 +62,7 @@ ROWS: tuple[Row, ...] = (
         GET /api/missions/{name}/export
         GET /api/missions/{name}/history
         GET /api/missions/{name}/history/{version}
+        GET /api/missions/{name}/difference
         GET /api/missions/{name}/file
         GET /api/missions/{name}/draft
         POST /api/missions/check
