@@ -21,6 +21,7 @@ def default_replies(server: ContractServer) -> None:
     server.reply("GET", "fields/mission", field_catalogue("mission"))
     server.reply("GET", "mission-templates", [])
     server.reply("GET", "drafts", [])
+    server.reply("GET", "charts", [])
 
 
 def forecast(
@@ -40,6 +41,8 @@ def forecast(
         "saturation": [0.2, 0.9, 1.0, 0.4],
         "worst_actuator": ["n_p"] * 4,
         "margin": [],
+        "floor_m": [],
+        "clearance_m": [],
     }
     flown = [
         {
@@ -51,6 +54,7 @@ def forecast(
             "north_m": north,
             "east_m": [0.0, 0.1, 0.1, 0.0],
             "depth_m": [2.0] * 4,
+            "clearance_m": None,
         }
         for i in range(of)
     ]
@@ -76,13 +80,14 @@ def forecast(
         "arrival_s": 40.0,
         "energy_j": 55.0,
         "length_m": 22.6,
+        "least_clearance_m": None,
         "sha256": "0" * 64,
         "seed": 1,
         "digest": "",
         "elapsed_ms": 40.0,
     }
     return [
-        {"kind": "findings", "findings": findings or []},
+        {"kind": "findings", "findings": findings or [], "floor": None},
         nominal,
         {"kind": "fan", "flights": flown, "done": of, "of": of, "chance": {**chance, "counts": counts}},
         {"kind": "done"},
