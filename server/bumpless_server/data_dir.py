@@ -27,10 +27,14 @@ class DataDir:
         self.limits = root / "limits"
         self.run_bin = root / "run_bin"
         self.words = root / "words.json"
+        self.scratch = root / "scratch"
+        self.revisions = root / "revisions.jsonl"
         self.alarms = root / "alarms.json"
         self.index = root / "index.sqlite"
         self.node_record = root / "node.json"
+        self.flight = root / "flight.json"  # the node's own: there while something flies
         self.audit = root / "audit.jsonl"
+        self.access = root / "access"  # accounts, tokens and sessions: for its owner's eyes
         self.node_log = root / "node.log"
         self._lock: IO[str] | None = None
 

@@ -18,6 +18,7 @@ import { badge, hash, name, save, saving, trouble, unsaved } from "./model/libra
 import { table } from "./model/mission";
 import { broken, mission, text } from "./model/plan";
 import { Ask } from "./preflight_ask";
+import { Failsafes } from "./preflight_failsafe";
 import { preflight } from "./preflight_state";
 import "./preflight.css";
 
@@ -95,6 +96,9 @@ function Sheet() {
           <Row name="Abort" look="info">
             Hold <b>Hold to abort</b> in the top line: the mission ends at once and all actuators come to
             rest; the vehicle drifts and rises or sinks by its own buoyancy.
+          </Row>
+          <Row name="What happens when" look="info">
+            <Failsafes />
           </Row>
         </dl>
         <Ask

@@ -15,17 +15,13 @@ from bumpless_server.foresight import fan
 from bumpless_server.foresight.findings import findings_of, floor_below
 from bumpless_server.foresight.forecast import nominal
 from bumpless_server.foresight.plan import Plan, plan_of
-from bumpless_server.foresight.tasks import Task, Told
+from bumpless_server.foresight.tasks import GivenUp, Task, Told
 from bumpless_server.foresight.told import ForesightFindings, ForesightProblem, ForesightProblems
 from bumpless_server.foresight.wanted import ForesightRequest
 from bumpless_server.plan.charts.store import Charts
 
 LONGEST_S = 3600.0  # of a mission: its log must fit into memory
 Answer = tuple[Told, str]  # kind and body
-
-
-class GivenUp(Exception):
-    """Something newer waits."""
 
 
 class TooLong(ValueError):
@@ -39,6 +35,10 @@ class Work:
         self._newer, self._hangar = newer, Hangar()
         self._charts = Charts(charts) if charts is not None else None
         self._plan: tuple[str, Plan] | None = None
+
+    def read(self, line: bytes) -> Task:
+        """The task of a line."""
+        return Task.model_validate_json(line)
 
     def answers(self, task: Task) -> Iterator[Answer]:
         """The task's answers. Raises GivenUp between two flights when something newer waits."""

@@ -12,6 +12,9 @@ from fastapi.responses import JSONResponse
 from starlette.exceptions import HTTPException
 
 from bumpless.config.problems import Problem, ProblemsError
+from bumpless_server.access.accounts import AccountsError
+from bumpless_server.access.lease import NotHolder
+from bumpless_server.access.passwords import WeakPassword
 from bumpless_server.files import BadName
 from bumpless_server.live.ask import NoAnswer
 from bumpless_server.live.desk import Busy
@@ -104,6 +107,18 @@ def install(app: FastAPI) -> None:
     @app.exception_handler(NoAnswer)
     async def no_answer(_request: Request, error: NoAnswer) -> JSONResponse:
         return answer(503, str(error), accepted=False, reason=str(error))
+
+    @app.exception_handler(NotHolder)
+    async def not_holder(_request: Request, error: NotHolder) -> JSONResponse:
+        return answer(423, str(error))
+
+    @app.exception_handler(AccountsError)
+    async def accounts(_request: Request, error: AccountsError) -> JSONResponse:
+        return answer(409, str(error))
+
+    @app.exception_handler(WeakPassword)
+    async def weak(_request: Request, error: WeakPassword) -> JSONResponse:
+        return answer(422, str(error), [Problem("", None, None, "password", None, str(error)).as_dict()])
 
     @app.exception_handler(UnicodeError)
     async def no_text(_request: Request, error: UnicodeError) -> JSONResponse:

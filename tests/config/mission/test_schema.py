@@ -125,6 +125,7 @@ WHOLE: dict[str, Any] = {
         },
     },
     "faults": [{"actuator": "n_p", "at_s": 3, "effectiveness": 0.5}],
+    "mishaps": [{"at_s": 3, "what": "battery", "battery": 0.1}],
     "parameters": {
         "hover": {"lambda": 0.01, "kp": [1, 1, 1, 1, 1, 1], "r_diagonal": [1, 1]},
         "supervisor": {"dwell_cycles": 10},

@@ -12,7 +12,6 @@ from bumpless.config.parameters import Parameters
 from bumpless.config.vehicle import Vehicle
 from bumpless.feasibility.finding import HARD, SOFT, Finding, Mend
 from bumpless.feasibility.outline import near_part
-from bumpless.metrics.dock import ends_of
 from bumpless.sim.approach import turn_limit_deg
 
 _STEP_M = 0.1
@@ -93,7 +92,7 @@ def _moved_out(
 
 def _place(target: Target, vehicle: Vehicle) -> Iterator[Finding]:
     """Is there room for the nose where the vehicle is to hover, on every heading it may take?"""
-    nose = ends_of(vehicle)[0]
+    nose = vehicle.ends_m[0]
     before, limit = target.standoff_m - nose, turn_limit_deg(target, vehicle)
     if before < _ROOM_M:
         least = math.ceil(10.0 * (nose + _ROOM_M)) / 10.0

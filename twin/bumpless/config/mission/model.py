@@ -14,6 +14,7 @@ from typing import Annotated, Any, Literal
 from bumpless.config.capacity import MAX_FAULTS, MAX_WAYPOINTS
 from bumpless.config.declare import Choice, Entries, Number, Overrides, Part, Row, Switch, Text, model
 from bumpless.config.mission.dock import Dock, Motion
+from bumpless.config.mission.mishaps import MOST_MISHAPS, Mishap
 from bumpless.config.mission.notes import Vector3, direction, moment, position
 from bumpless.config.mission.origin import Origin
 from bumpless.config.mission.sea import Environment
@@ -162,6 +163,9 @@ class Document:
     environment: Annotated[Environment, Part("Sea")] = Environment()
     sensors: Annotated[Sensors, Part("Sensors")] = Sensors()
     faults: Annotated[tuple[Fault, ...], Entries("Faults of actuators", most=MAX_FAULTS)] = ()
+    mishaps: Annotated[
+        tuple[Mishap, ...], Entries("Mishaps of the simulated vehicle", most=MOST_MISHAPS)
+    ] = ()
     parameters: Annotated[
         dict[str, Any], Overrides("Overrides of the vehicle's control parameters", of=Parameters)
     ] = field(default_factory=dict[str, Any])
