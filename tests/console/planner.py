@@ -117,7 +117,8 @@ def stored(name: str, text: str, **more: Any) -> dict[str, Any]:
 
 
 def at(page: Page, north: float, east: float) -> tuple[float, float]:
-    """Where a place of the plan is on the page, px."""
+    """Where a place of the plan is on the page, px, once what was done before is drawn."""
+    page.evaluate("new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn)))")
     canvas = page.get_by_role("application", name="Plan from above").locator("canvas")
     x, y, scale, turn = map(float, (canvas.get_attribute("data-frame") or "").split())
     assert turn == 0.0
@@ -148,6 +149,14 @@ def drag_current(page: Page, right: float, down: float) -> None:
     page.mouse.down()
     page.mouse.move(box["x"] + 62 + right, box["y"] + 66 + down, steps=4)
     page.mouse.up()
+
+
+def draw_zone(page: Page, *corners: tuple[float, float]) -> None:
+    """A keep-out zone, corner by corner."""
+    page.get_by_role("button", name="Keep out").click()
+    for north, east in corners:
+        click(page, north, east)
+    page.get_by_role("status", name="Next step").get_by_role("button", name="Close it").click()
 
 
 def draw(page: Page) -> None:
