@@ -6,6 +6,7 @@ import { Resource } from "./resource";
 
 export const missions = new Resource(() => ask("get", "/api/missions"));
 export const runs = new Resource(() => ask("get", "/api/runs"));
+export const runsDisk = new Resource(() => ask("get", "/api/runs-disk"));
 export const presets = new Resource(() => ask("get", "/api/presets"));
 export const vehicle = new Resource(() => ask("get", "/api/vehicle"));
 export const revisions = new Resource(() => ask("get", "/api/parameters/revisions"));
@@ -47,6 +48,13 @@ export function refreshOnNews(): void {
       const status = live.latest("server/status");
       return status && `${status.recording}${status.recordingRunId}`;
     },
+    () => {
+      void runs.refresh();
+      if (runsDisk.peek()) void runsDisk.refresh();
+    },
+  );
+  on(
+    () => live.events.find(({ code }) => code === "run_found")?.stamp?.timeNs,
     () => void runs.refresh(),
   );
 }

@@ -26,6 +26,7 @@ from bumpless_server.web.routes import (
     foresight,
     help,
     hull,
+    imports,
     library,
     missions,
     page,
@@ -62,6 +63,7 @@ ROUTERS = tuple(
         export,
         refly,
         hull,
+        imports,
         what_if,
         runs,
         shelf,
@@ -91,7 +93,9 @@ def create_app(settings: Settings, console: Console | None = None) -> FastAPI:
     app = FastAPI(title="Bumpless", version=console.version, lifespan=lifespan, docs_url=None, redoc_url=None)
     app.state.console = console
     app.state.auth = auth = Auth(settings, console.data.secret())
-    app.add_middleware(BodyLimit, max_bytes=settings.upload_bytes)
+    app.add_middleware(
+        BodyLimit, max_bytes=settings.upload_bytes, larger={"/api/runs-import": settings.import_bytes}
+    )
     app.add_middleware(Guard, auth=auth, guesses=Guesses(console.tally.note))
     errors.install(app)
     for router in ROUTERS:
