@@ -25,6 +25,7 @@ SLOW = (
     "tests/node/test_stalled.py",
     "tests/node/test_three_processes.py",
     "tests/node/test_trusted.py",
+    "tests/server/access/test_fuzz.py",
     "tests/server/cli/test_campaign.py",
     "tests/server/cli/test_serve.py",
     "tests/physics/actuators/test_azimuth.py",

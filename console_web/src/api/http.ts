@@ -59,6 +59,11 @@ function refusal(status: number, statusText: string, raw: string): Refusal {
   return { ok: false, status, reason, problems };
 }
 
+/** The session is over: nothing of the page works any more but the login. The view stays in the address. */
+function loggedOut(): void {
+  if (typeof location !== "undefined") location.replace(`./login${location.hash}`);
+}
+
 const UNREADABLE = Symbol("not JSON");
 
 /** An answer that is no JSON comes from a server that is there: it is not out of reach. */
@@ -89,6 +94,7 @@ export async function request<T>(
   try {
     const response = await fetch(path, init);
     const raw = await response.text();
+    if (response.status === 401 && path !== "api/me/password") loggedOut();
     if (!response.ok) return refusal(response.status, response.statusText, raw);
     const value = raw ? parsed<T>(raw) : (undefined as T);
     if (value === UNREADABLE) return refusal(response.status, "the server's answer cannot be read", "");

@@ -5,6 +5,8 @@ import { ask } from "./client";
 import { Resource } from "./resource";
 
 export const missions = new Resource(() => ask("get", "/api/missions"));
+/** Who this browser is to the server. */
+export const me = new Resource(() => ask("get", "/api/me"));
 export const runs = new Resource(() => ask("get", "/api/runs"));
 export const runsDisk = new Resource(() => ask("get", "/api/runs-disk"));
 export const presets = new Resource(() => ask("get", "/api/presets"));
@@ -28,6 +30,7 @@ export function refreshOnNews(): void {
   on(
     () => live.connection.value,
     () => {
+      void me.refresh();
       void missions.refresh();
       void runs.refresh();
       void presets.refresh();

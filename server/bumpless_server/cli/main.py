@@ -7,6 +7,7 @@ from bumpless_server.cli import (
     compare,
     envelope,
     export,
+    keys,
     metrics,
     refly,
     repair,
@@ -14,6 +15,7 @@ from bumpless_server.cli import (
     reproduce,
     run,
     tune,
+    user,
     validate,
     vehicle,
 )
@@ -52,6 +54,8 @@ app.command()(export.export)
 app.command()(envelope.envelope)
 app.command()(repair.repair)
 app.command()(reproduce.reproduce)
+app.add_typer(user.user, name="user")
+app.add_typer(keys.app, name="keys")
 
 
 if __name__ == "__main__":

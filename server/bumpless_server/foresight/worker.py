@@ -1,4 +1,4 @@
-"""A worker: `python -m bumpless_server.foresight.worker`. It flies what the server asks on its input.
+"""A worker: `python -m bumpless_server.foresight.worker [CHARTS]`. It flies what its input asks.
 
 It gives way to every other process, keeps its compiled code warm, and ends with its input, so that it never
 outlives its server.
@@ -9,6 +9,7 @@ import select
 import signal
 import sys
 from collections.abc import Callable, Iterator
+from pathlib import Path
 from typing import Any, Protocol
 
 from bumpless_server.foresight import tasks
@@ -91,4 +92,6 @@ def main(make: Make) -> None:
 if __name__ == "__main__":
     from bumpless_server.foresight.work import Work
 
-    main(Work)
+    # the argument: the folder of the depth grids that missions may name
+    charts = Path(sys.argv[1]) if len(sys.argv) > 1 else None
+    main(lambda newer: Work(newer, charts))

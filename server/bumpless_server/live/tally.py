@@ -15,6 +15,7 @@ KINDS: dict[str, str] = {
     "bad_name": "A name from the bus that breaks its rule names nothing here.",
     "non_finite": "Messages with numbers that are none are passed on and recorded as they are.",
     "out_of_order": "Messages that are older than one already heard are recorded, not shown.",
+    "missed": "Messages that were lost on the way and that the vehicle no longer had when asked for them.",
     "second_speaker": "Somebody else than the vehicle says the vehicle's words; they are not taken.",
     "foreign_reply": "Somebody else than the vehicle answers its commands; the answer does not count.",
     "no_answer": "Commands that the vehicle did not answer in time.",
@@ -22,7 +23,7 @@ KINDS: dict[str, str] = {
     "too_many_commands": "Commands refused here because too many wait for the vehicle already.",
     "clock_offset": "The vehicle's clock differs from the server's; times are shown as it says them.",
     "bad_file": "Files in the data folder that are left out of a list; their reasons stand beside them.",
-    "refused_login": "Wrong tokens.",
+    "refused_login": "Wrong passwords and tokens.",
     "slow_request": "Connections that did not bring a whole request in time, or came in too great a number.",
     "dropped": "Messages lost because the server or its disk was too slow.",
 }

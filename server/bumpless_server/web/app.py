@@ -10,14 +10,16 @@ from fastapi.concurrency import run_in_threadpool
 from bumpless_server.console import Console
 from bumpless_server.scene.scene import Scene
 from bumpless_server.settings import Settings
-from bumpless_server.web import errors
+from bumpless_server.web import errors, interface
 from bumpless_server.web.auth import Auth, session_cookie
 from bumpless_server.web.body_limit import BodyLimit
 from bumpless_server.web.guard import Guard
 from bumpless_server.web.guesses import Guesses
 from bumpless_server.web.routes import (
     alarms,
+    charts,
     compare,
+    control,
     declared,
     diagnostics,
     exchange,
@@ -31,6 +33,7 @@ from bumpless_server.web.routes import (
     missions,
     page,
     parameters,
+    people,
     planning,
     refly,
     replay,
@@ -49,12 +52,15 @@ ROUTERS = tuple(
     for part in (
         status,
         diagnostics,
+        people,
+        control,
         alarms,
         missions,
         findings,
         exchange,
         library,
         planning,
+        charts,
         parameters,
         declared,
         compare,
@@ -92,11 +98,12 @@ def create_app(settings: Settings, console: Console | None = None) -> FastAPI:
 
     app = FastAPI(title="Bumpless", version=console.version, lifespan=lifespan, docs_url=None, redoc_url=None)
     app.state.console = console
-    app.state.auth = auth = Auth(settings, console.data.secret())
+    app.state.auth = auth = Auth(settings, console.data.secret(), console.accounts, console.sessions)
+    app.state.guesses = guesses = Guesses(console.tally.note)
     app.add_middleware(
         BodyLimit, max_bytes=settings.upload_bytes, larger={"/api/runs-import": settings.import_bytes}
     )
-    app.add_middleware(Guard, auth=auth, guesses=Guesses(console.tally.note))
+    app.add_middleware(Guard, auth=auth, guesses=guesses, lease=console.lease)
     errors.install(app)
     for router in ROUTERS:
         app.include_router(router)
@@ -105,6 +112,7 @@ def create_app(settings: Settings, console: Console | None = None) -> FastAPI:
         light = settings.scene == "light"
         app.state.scene = scene = Scene(console.state, session_cookie, light, ghosts=console.ghosts)
         app.include_router(scene.router)
+    interface.install(app)
     help.mount(app)
     page.mount(app)
     return app

@@ -23,6 +23,8 @@ from bumpless_server.web.routes.missions import text_of
 from bumpless_server.what_if.revisions import Revision
 
 router = APIRouter(prefix="/api", responses=REFUSALS)
+_WHOLE = {"description": "A whole set of parameters, as GET /api/parameters tells the active ones"}
+_JSON = {"requestBody": {"content": {"application/json": {"schema": _WHOLE}}, "required": True}}
 
 MOST_REASON = 300  # characters
 
@@ -51,7 +53,7 @@ def parameters(console: Served) -> ParametersAnswer:
     return ParametersAnswer.model_validate(answer)
 
 
-@router.put("/parameters")
+@router.put("/parameters", openapi_extra=_JSON)
 async def change(console: Served, asked: Asked, request: Request) -> CommandReply:
     """Ask the vehicle to fly with these, all of them; `If-Match` refuses a change of an old revision.
 
@@ -108,7 +110,7 @@ def preset(console: Served, name: str) -> Preset:
     return found
 
 
-@router.put("/presets/{name}")
+@router.put("/presets/{name}", openapi_extra=_JSON)
 async def save(console: Served, request: Request, name: str) -> Preset:
     """Keep or replace a preset: a whole set of parameters within the present vehicle's ranges."""
     given = await _body(request)
