@@ -27,6 +27,7 @@ SLOW = (
     "tests/node/test_stalled.py",
     "tests/node/test_three_processes.py",
     "tests/node/test_trusted.py",
+    "tests/server/access/test_fuzz.py",
     "tests/server/cli/test_campaign.py",
     "tests/server/cli/test_serve.py",
     "tests/physics/actuators/test_azimuth.py",
@@ -39,6 +40,7 @@ SLOW = (
     "tests/server/vehicle_process/test_crash.py",
     "tests/server/vehicle_process/test_supervise.py",
     "tests/server/web/test_commanding.py",
+    "tests/server/web/test_export_api.py",
     "tests/server/web/test_missions_api.py",
     "tests/trust",
     # tens of thousands of problems, and code compiled anew

@@ -4,18 +4,23 @@ It has threads of its own and knows no event loop: a stalled web server cannot h
 """
 
 import contextlib
+import json
 import logging
 import secrets
 import threading
 import time
 from concurrent.futures import Future
 from pathlib import Path
+from typing import Any
 
 from bumpless.config.vehicle import Vehicle, VehicleError, parse_vehicle
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.version import software_version
 from bumpless.runs.names import COMPLETE, DESCRIPTION
 from bumpless.runs.view import View
+from bumpless_server.access.accounts import Accounts, AccountsError
+from bumpless_server.access.lease import Lease
+from bumpless_server.access.sessions import Sessions
 from bumpless_server.alarms.limits import read_limits
 from bumpless_server.alarms.watch import Watch
 from bumpless_server.audit import Audit
@@ -31,25 +36,30 @@ from bumpless_server.live.dispatch import Dispatcher
 from bumpless_server.live.freshness import freshness
 from bumpless_server.live.heart import Heart
 from bumpless_server.live.intake import Intake
-from bumpless_server.live.sample import EVENT, Sample
+from bumpless_server.live.sample import AUDIT, CONTROL, EVENT, Sample
 from bumpless_server.live.speaker import Speaker
 from bumpless_server.live.state import State
 from bumpless_server.live.stream import Stream
 from bumpless_server.live.tally import KINDS, Tally, printable
 from bumpless_server.live.tuned import Tuned
+from bumpless_server.plan.charts.store import Charts
 from bumpless_server.plan.library import Library
 from bumpless_server.plan.missions import Missions
 from bumpless_server.plan.presets import Presets
 from bumpless_server.runs.catalogue import Catalogue
 from bumpless_server.runs.disk_budget import DiskBudget
+from bumpless_server.runs.errands import Errands
 from bumpless_server.runs.recorder import Recorder
 from bumpless_server.runs.replays import Replays
 from bumpless_server.runs.shelf import Shelf
+from bumpless_server.scene.ghosts import Ghosts
 from bumpless_server.settings import Settings
 from bumpless_server.vehicle_process.node_command import node_command
 from bumpless_server.vehicle_process.supervise import Supervisor
 from bumpless_server.views.foxglove import Foxglove
 from bumpless_server.views.ready import envelopes_ready
+from bumpless_server.what_if.desk import WhatIfDesk
+from bumpless_server.what_if.revisions import Revisions
 
 log = logging.getLogger(__name__)
 
@@ -59,7 +69,7 @@ _LEVELS = {pb.SEVERITY_WARNING: logging.WARNING, pb.SEVERITY_ALARM: logging.ERRO
 
 
 class Console:
-    """One vehicle's console. `start` raises DataDirError or BusError with one line for the operator."""
+    """One vehicle's console. `start` raises DataDirError, BusError or AccountsError with one line to read."""
 
     def __init__(self, settings: Settings) -> None:
         self.settings = settings
@@ -69,11 +79,22 @@ class Console:
         self.missions = Missions(self.data.missions, vehicle=self.vehicle)
         self.library = Library(self.missions, self.data)
         self.presets = Presets(self.data.presets)
-        self.findings = Findings()
-        self.foresight = Foresight(self._present)  # on the web's loop, which ends it
+        self.charts = Charts(self.data.charts)
+        self.findings = Findings(self.charts)
+        self.foresight = Foresight(self._present, charts=self.data.charts)  # on the web's loop, which ends it
         self.catalogue = Catalogue(self.data.runs, self.data.index)
         self.replays = Replays()
+        self.errands = Errands(self.data.scratch)
+        self.what_if = WhatIfDesk()  # on the web's loop, which ends it
+        self.ghosts = Ghosts()  # for the scene
+        self.revisions = Revisions(self.data.revisions)
         self.shelf = Shelf(self.data.words, self.data.run_bin)
+        self.budget = DiskBudget(
+            self.data.runs,
+            settings.runs_max_bytes,
+            settings.disk_free_bytes,
+            *([self._prune] if settings.runs_prune else []),
+        )
         self.recorder = Recorder(
             self.data.runs,
             self.say,
@@ -81,23 +102,24 @@ class Console:
             _views,
             settings.recorder_queue_messages,
             settings.recorder_queue_bytes,
-            DiskBudget(
-                self.data.runs,
-                settings.runs_max_bytes,
-                settings.disk_free_bytes,
-                *([self._prune] if settings.runs_prune else []),
-            ),
+            self.budget,
         )
         self.alarms = Watch(
             lambda: read_limits(self.data.limits / f"{settings.vehicle_id}.toml"),
             self.data.alarms,
             self._tell,
+            self.data.runs,
         )
         self.stream = Stream(self.state)
+        self.lease = Lease(self._control, self.say)
+        self.accounts = Accounts(self.data.access)
+        self.sessions = Sessions(
+            self.data.access / "sessions.json", self.accounts, settings.session_hours * 3600.0
+        )
         self.tally, self.clock, self.speaker = Tally(self._set_aside), VehicleClock(), Speaker()
         self.dispatcher = Dispatcher(
             self.state,
-            self.status,
+            self._on_time,
             self._on_link,
             Intake(self.tally, self.speaker, self.clock, self._rival),
             self.recorder.offer,
@@ -113,7 +135,7 @@ class Console:
             self._rival,
             settings.zenoh_config,
         )
-        self.audit = Audit(self.data.audit)
+        self.audit = Audit(self.data.audit, self._audited)
         self.desk = Desk(
             self.bus.command,
             lambda: self.speaker.session,
@@ -142,8 +164,11 @@ class Console:
         with contextlib.ExitStack() as stack:
             self.data.open()
             stack.callback(self.data.close)
+            self._let_somebody_in()
             self.audit.open()
             self.shelf.open()
+            self.errands.open()
+            self.revisions.open()
             self.catalogue.open()
             stack.callback(self.catalogue.close)
             stack.callback(self.replays.close)
@@ -171,6 +196,23 @@ class Console:
                 self.say(pb.SEVERITY_WARNING, "bus_open", self.bus.notice, {})
             self._stop = stack.pop_all()
         self.started = True
+
+    def _let_somebody_in(self) -> None:
+        """The first account, where a file has its password; without any, nobody could log in."""
+        path = self.settings.first_password_file
+        if not self.accounts.any() and path is not None:
+            try:
+                password = path.read_text(encoding="utf-8").strip()
+                self.accounts.add("engineer", "engineer", password)
+            except (OSError, ValueError) as error:
+                raise AccountsError(f"no first account by {path}: {error}") from error
+        if self.accounts.trouble:
+            raise AccountsError(self.accounts.trouble)
+        if self.settings.accounts_needed and not self.accounts.any():
+            raise AccountsError(
+                "nobody could log in: make an account with `bumpless user add NAME --role engineer "
+                f"--data-dir {self.settings.data_dir}`"
+            )
 
     def stop(self) -> None:
         """End the managed node, close the file being written and leave the bus."""
@@ -219,7 +261,12 @@ class Console:
 
     def left_out(self) -> list[tuple[str, str, str]]:
         """(folder, name, reason) of what lies in the data folder and stands in no list."""
-        folders = {"runs": self.catalogue, "missions": self.missions, "presets": self.presets}
+        folders = {
+            "runs": self.catalogue,
+            "missions": self.missions,
+            "presets": self.presets,
+            "charts": self.charts,
+        }
         return [
             (folder, name, reason)
             for folder, kept in folders.items()
@@ -277,6 +324,26 @@ class Console:
 
         with contextlib.suppress(Busy, RuntimeError):
             self.desk.submit(Command("set_parameters", parameters, author="server")).add_done_callback(told)
+
+    def _on_time(self) -> pb.ServerStatus:
+        """Twice a second, on the dispatcher's thread."""
+        self.lease.tick()
+        return self.status()
+
+    def _control(self, state: pb.ControlHolder) -> None:
+        payload = state.SerializeToString()
+        self._tell(Sample(CONTROL, state.DESCRIPTOR.full_name, payload, from_vehicle=False))
+
+    def _audited(self, entry: dict[str, Any]) -> None:
+        """Each line of the audit also goes into the log of the run that it is about."""
+        told = pb.AuditEntry(
+            time_ns=time.time_ns(),
+            details_json=json.dumps(entry["details"]),
+            **{name: entry[name] for name in ("id", "verb", "author", "address", "answer", "said", "took_s")},
+        )
+        self.recorder.note(
+            Sample(AUDIT, told.DESCRIPTOR.full_name, told.SerializeToString(), from_vehicle=False)
+        )
 
     def _tell(self, sample: Sample) -> None:
         self.dispatcher.sample(sample)

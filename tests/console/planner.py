@@ -113,7 +113,7 @@ def stored(name: str, text: str, **more: Any) -> dict[str, Any]:
 
 def at(page: Page, north: float, east: float) -> tuple[float, float]:
     """Where a place of the plan is on the page, px."""
-    canvas = page.get_by_label("Plan from above", exact=True).locator("canvas")
+    canvas = page.get_by_role("application", name="Plan from above").locator("canvas")
     x, y, scale, turn = map(float, (canvas.get_attribute("data-frame") or "").split())
     assert turn == 0.0
     box = canvas.bounding_box()
@@ -137,7 +137,7 @@ def drag(page: Page, start: tuple[float, float], end: tuple[float, float]) -> No
 
 def drag_current(page: Page, right: float, down: float) -> None:
     """Drag the arrow of the current's dial, px."""
-    box = page.get_by_label("Plan from above", exact=True).locator("canvas").bounding_box()
+    box = page.get_by_role("application", name="Plan from above").locator("canvas").bounding_box()
     assert box is not None
     page.mouse.move(box["x"] + 62, box["y"] + 66)
     page.mouse.down()

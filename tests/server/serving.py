@@ -70,7 +70,7 @@ def serving(settings: Settings) -> Iterator[Running]:
     console = Console(settings)
     console.start()
     listener = socket.create_server(("127.0.0.1", 0))
-    config = server_config(create_app(settings, console), console.tally.note, graceful_s=1)
+    config = server_config(create_app(settings, console), console.tally.note, settings, graceful_s=1)
     server = uvicorn.Server(config)
     thread = threading.Thread(
         target=lambda: asyncio.run(server.serve(sockets=[listener])), name="uvicorn", daemon=True

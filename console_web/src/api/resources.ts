@@ -5,9 +5,12 @@ import { ask } from "./client";
 import { Resource } from "./resource";
 
 export const missions = new Resource(() => ask("get", "/api/missions"));
+/** Who this browser is to the server. */
+export const me = new Resource(() => ask("get", "/api/me"));
 export const runs = new Resource(() => ask("get", "/api/runs"));
 export const presets = new Resource(() => ask("get", "/api/presets"));
 export const vehicle = new Resource(() => ask("get", "/api/vehicle"));
+export const revisions = new Resource(() => ask("get", "/api/parameters/revisions"));
 export const parameterRanges = new Resource(() => ask("get", "/api/parameters"));
 
 /** Call `act` when `news` gives another value than before; not for the first. */
@@ -26,6 +29,7 @@ export function refreshOnNews(): void {
   on(
     () => live.connection.value,
     () => {
+      void me.refresh();
       void missions.refresh();
       void runs.refresh();
       void presets.refresh();

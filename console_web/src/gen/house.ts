@@ -65,5 +65,6 @@ export const FRESH_FOR_S = {
   "tlm/description": 5.0,
   "tlm/health": 2.5,
   "server/status": 1.25,
-  "server/alarms": 1000000000.0
+  "server/alarms": 1000000000.0,
+  "server/control": 1000000000.0
 } as const;

@@ -12,8 +12,8 @@ import { fields } from "./forms/fields";
 import { LegsTable } from "./forms/legs_table";
 import { SelectedForm } from "./forms/selected_form";
 import { KEYS, onAnyKey, onClipboard } from "./keys";
-import { Library } from "./library_panel";
-import { learn, learnVehicles, vehicles } from "./map/figures";
+import { Library } from "./library/library_panel";
+import { learn, learnVehicles, vehicle, vehicles } from "./map/figures";
 import { PlanMap } from "./map/plan_map";
 import { copyOnEdit } from "./model/copy_on_edit";
 import { autosave, name, named, openMission } from "./model/library";
@@ -22,6 +22,7 @@ import { PlanBar } from "./plan_bar";
 import { Preflight } from "./preflight";
 import { Profile } from "./profile/profile";
 import { YamlEditor } from "./text/yaml_editor";
+import { Timeline } from "./timeline/timeline";
 import { Versions } from "./versions";
 import "./planner_view.css";
 
@@ -81,6 +82,7 @@ export function PlannerView({ hidden }: { hidden: boolean }) {
         <div class="column planner-left" inert={library.value}>
           <PlanMap />
           <Profile />
+          <Timeline />
         </div>
         <div class="column planner-right" data-tab={tab.value} inert={library.value}>
           <ForecastPanel onPlace={() => undefined} />
@@ -90,6 +92,11 @@ export function PlannerView({ hidden }: { hidden: boolean }) {
       </div>
       <Preflight />
       <Versions />
+      <datalist id="plan-actuators">
+        {vehicle.value?.actuators.map((id) => (
+          <option key={id} value={id} />
+        ))}
+      </datalist>
       <datalist id="plan-vehicles">
         {vehicles.value.map((id) => (
           <option key={id} value={id} />

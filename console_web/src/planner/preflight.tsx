@@ -159,7 +159,7 @@ function differences(): string[] {
     for (const [field, value] of Object.entries(table(values)))
       found.push(`${section}.${field} = ${Array.isArray(value) ? `[${value.join(", ")}]` : String(value)}`);
   for (const key of ["sensors", "trim", "end"]) if (raw[key] !== undefined) found.push(`${key} set`);
-  const faults = mission.value.faults;
+  const faults = mission.value.events.fault;
   if (faults.length > 0) found.push(`${faults.length} fault${faults.length > 1 ? "s" : ""} of actuators`);
   return found;
 }

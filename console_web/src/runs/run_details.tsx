@@ -12,6 +12,8 @@ import { DownloadIcon, PlayIcon } from "../ui/icons";
 import { Empty, Panel } from "../ui/panel";
 import "../ui/facts.css";
 import { throwAway } from "./bin";
+import { ExportForm } from "./export_form";
+import { FlyAgain } from "./fly_again";
 import { MetricsTables } from "./metrics_tables";
 import { OutcomeChip } from "./outcome";
 import { useNow } from "./run_now";
@@ -98,6 +100,8 @@ export function RunDetails({ run }: { run: RunSummary }) {
           </div>
         </dl>
         {run.state !== "recording" && <WordsForm key={run.id} run={run} />}
+        <ExportForm run={run} />
+        {run.state !== "recording" && <FlyAgain run={run} />}
       </Panel>
       <Panel title="Metrics" class="run-metrics" scrolls>
         {run.state === "recording" && <Empty>Metrics are computed when the run ends.</Empty>}

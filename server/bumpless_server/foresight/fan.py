@@ -33,6 +33,7 @@ def _told(flown: Sketch) -> ForesightFlight:
         outcome=flown.outcome.ending.value,
         end_s=flown.end_s,
         closest_m=cast("float", flown.outcome.closest_m),  # a twin knows the truth
+        clearance_m=None if flown.clearance_m is None else round(flown.clearance_m, 2),
         north_m=path[:, 0].tolist(),
         east_m=path[:, 1].tolist(),
         depth_m=path[:, 2].tolist(),

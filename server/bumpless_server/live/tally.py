@@ -23,7 +23,7 @@ KINDS: dict[str, str] = {
     "too_many_commands": "Commands refused here because too many wait for the vehicle already.",
     "clock_offset": "The vehicle's clock differs from the server's; times are shown as it says them.",
     "bad_file": "Files in the data folder that are left out of a list; their reasons stand beside them.",
-    "refused_login": "Wrong tokens.",
+    "refused_login": "Wrong passwords and tokens.",
     "slow_request": "Connections that did not bring a whole request in time, or came in too great a number.",
     "dropped": "Messages lost because the server or its disk was too slow.",
 }

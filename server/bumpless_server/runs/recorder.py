@@ -34,6 +34,7 @@ FLUSH_S = 0.5
 PRE_ROLL = 1000  # messages kept while idle: a run's first cycles may precede its mission status
 PRE_ROLL_BYTES = 4_000_000
 LONGEST_PART = 120
+MOST_DEEDS, DEEDS_NS = 50, 10_000_000_000  # of the audit, kept for a run that begins within ten seconds
 HELD_EVERY_S = 1.0  # of a hold after a mission one cycle is kept in so long
 SETTLE_S = 0.5  # after the end, for the rest of the last cycle
 RETRY_S = 5.0  # after a disk without room, and the first time after a failing one
@@ -75,6 +76,7 @@ class Recorder:
         self._context: dict[str, Sample] = {}
         self._recent: deque[Sample] = deque()
         self._recent_bytes = 0
+        self._deeds: deque[Sample] = deque(maxlen=MOST_DEEDS)  # of the audit
         self._speaker = ""  # the session whose run is recorded
         self._run: RunWriter | None = None
         self._dropped_before = 0
@@ -111,6 +113,10 @@ class Recorder:
         """Take in a message; callable from any thread, never waits."""
         if sample.from_vehicle:
             self._queue.put(sample)
+
+    def note(self, sample: Sample) -> None:
+        """Take in what was done here, for the log of a run that goes on or begins just now."""
+        self._queue.put(sample)
 
     def link_lost(self) -> None:
         """The vehicle is gone: the run's file waits for it for a while and is closed then."""
@@ -188,6 +194,11 @@ class Recorder:
                 self._finish(INTERRUPTED, self._lack)
 
     def _handle(self, item: Sample | _LinkLost) -> None:
+        if isinstance(item, Sample) and not item.from_vehicle:
+            self._deeds.append(item)
+            if self._run is not None:
+                self._write(item)
+            return
         if isinstance(item, _LinkLost):
             if self._end is not None:
                 self._finish_ended()
@@ -280,6 +291,9 @@ class Recorder:
         for sample in self._recent:
             if not holds and sample.topic not in CONTEXT and self._belongs(sample, status):
                 self._write(sample)
+        for sample in self._deeds:  # the command that began it was answered before it began
+            if sample.receive_ns >= began_ns - DEEDS_NS:
+                self._write(sample, max(sample.receive_ns, began_ns))
         self._flush_at = time.monotonic() + FLUSH_S
         if any(run_id == status.run_id for _, run_id in self._told):
             what = f"Run {status.run_id} is being recorded again, as {run.id}"

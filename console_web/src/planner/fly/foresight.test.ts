@@ -18,6 +18,7 @@ const flight = (seed: number, outcome: string, closest_m: number): Flight => ({
   outcome,
   end_s: 60,
   closest_m,
+  clearance_m: null,
   north_m: [],
   east_m: [],
   depth_m: [],

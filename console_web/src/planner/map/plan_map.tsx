@@ -2,21 +2,22 @@
 import { untracked, useSignalEffect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { fixed } from "../../lib/format";
-import { flying } from "../../stream/link";
-import { live } from "../../stream/store";
 import { plan } from "../fly/forecast";
 import { forecast as variant } from "../fly/what_if";
 import { onPlanKey } from "../keys";
-import { badge, name } from "../model/library";
+import { name } from "../model/library";
 import { dragging, mission, selected } from "../model/plan";
 import { NextStep } from "../next_step";
-import { fitSoon, look, showAll, size, viewport } from "./camera";
+import { fitSoon, look, showAll, size, sized, viewport } from "./camera";
 import { figures } from "./figures";
+import { flownHere } from "./flown_here";
+import { LazySpace, spaceShown, toggleSpace } from "./lazy_space";
 import { box, cursorAt, gestures, hovered } from "./map_gestures";
+import { drawn } from "./outline";
 import { paintPlan } from "./paint";
 import type { Scene } from "./paint/scene";
 import { Surface } from "./surface";
-import { dockUp, grid, measured, TOOLS, tool } from "./tools";
+import { dockUp, grid, measured, outlining, TOOLS, tool } from "./tools";
 import { type Size, zoomed } from "./viewport";
 import "./plan_map.css";
 
@@ -38,21 +39,15 @@ function scene(extent: Size): Scene {
     vehicle: flownHere(),
     box: box.value,
     measured: measured.value,
-    cursor: tool.value === "measure" ? cursorAt.value : undefined,
+    drawn: drawn.value,
+    waving: tool.value === "wave",
+    cursor: tool.value === "measure" || drawn.value.length > 0 ? cursorAt.value : undefined,
   };
 }
 
-/** The vehicle, while it flies the plan that is shown. */
-function flownHere(): Scene["vehicle"] {
-  if (!flying.value || badge.value !== "held" || !live.isFresh("tlm/navigation")) return undefined;
-  const navigation = live.latest("tlm/navigation");
-  if (!navigation?.positionNedM) return undefined;
-  const { x, y } = navigation.positionNedM;
-  return { north: x, east: y, heading: navigation.attitude?.yawDeg ?? 0 };
-}
-
 function cursor(): string {
-  if (hovered.value && tool.value !== "measure") return hovered.value.kind === "split" ? "copy" : "grab";
+  if (hovered.value && tool.value !== "measure" && !outlining.value)
+    return ["split", "side"].includes(hovered.value.kind) ? "copy" : "grab";
   return tool.value === "select" ? "default" : "crosshair";
 }
 
@@ -75,26 +70,27 @@ export function PlanMap() {
   return (
     <section class="panel plan-map" aria-label="Plan from above">
       <MapTools />
-      <div class="plan-water">
-        <Surface
-          name="Plan from above"
-          scene={scene}
-          paint={paintPlan}
-          gestures={gestures}
-          onKey={onPlanKey}
-          onSize={(next) => {
-            size.value = next;
-          }}
-          cursor={cursor()}
-          describedBy="plan-keys"
-          frame={[v.x, v.y, v.sx, v.turn].map((number) => number.toFixed(5)).join(" ")}
-        />
-        <NextStep />
-        <Readout />
-        <p id="plan-keys" class="sr">
-          N and P select the next and previous thing, arrows move it, Page up and down change its depth, W
-          adds a waypoint after it, Delete removes it, question mark lists all keys.
-        </p>
+      <div class="plan-waters">
+        <div class="plan-water">
+          <Surface
+            name="Plan from above"
+            scene={scene}
+            paint={paintPlan}
+            gestures={gestures}
+            onKey={onPlanKey}
+            onSize={sized}
+            cursor={cursor()}
+            describedBy="plan-keys"
+            frame={[v.x, v.y, v.sx, v.turn].map((number) => number.toFixed(5)).join(" ")}
+          />
+          <NextStep />
+          <Readout />
+          <p id="plan-keys" class="sr">
+            N and P select the next and previous thing, arrows move it, Page up and down change its depth, W
+            adds a waypoint after it, Delete removes it, question mark lists all keys.
+          </p>
+        </div>
+        <LazySpace />
       </div>
     </section>
   );
@@ -142,6 +138,15 @@ function MapTools() {
         </select>
       </label>
       <span class="grow" />
+      <button
+        type="button"
+        class="action small"
+        aria-pressed={spaceShown.value}
+        title="The plan in space, beside the plan from above"
+        onClick={toggleSpace}
+      >
+        3-D
+      </button>
       <button
         type="button"
         class="action small"

@@ -109,6 +109,7 @@ const gestures: Gestures = {
 };
 
 export function Profile() {
+  const v = viewportOf(size.value);
   return (
     <section class="panel profile" aria-label="Depth profile">
       <header class="panel-head">
@@ -129,6 +130,7 @@ export function Profile() {
           }}
           cursor="default"
           describedBy="plan-keys"
+          frame={[v.x, v.y, v.sx, v.sy].map((number) => number.toFixed(5)).join(" ")}
         />
       </div>
     </section>

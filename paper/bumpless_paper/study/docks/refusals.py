@@ -26,9 +26,16 @@ _NEVER_MPS = 3.0  # a current limit that is never met: the vehicle tries whateve
 _TRY: dict[str, Any] = {"side_still_mps": _NEVER_MPS, "following_mps": _NEVER_MPS}
 SEARCHED: tuple[dict[str, Any], ...] = (
     {},
-    {"crab_near": 0.15, "hover_heading_deg": 9.0},
+    {"crab_near": 0.15, "crab_borne": 0.15, "hover_heading_deg": 9.0},
     {"cone_base_m": 0.8, "hover_lateral_m": 0.3, "aim_most_m": 0.2},
-    {"crab_near": 0.15, "hover_heading_deg": 9.0, "aim_most_m": 0.2, "cone_base_m": 0.8, "patience_s": 120.0},
+    {
+        "crab_near": 0.15,
+        "crab_borne": 0.15,
+        "hover_heading_deg": 9.0,
+        "aim_most_m": 0.2,
+        "cone_base_m": 0.8,
+        "patience_s": 120.0,
+    },
 )  # what of the parameters decides whether a current across is borne
 
 

@@ -5,6 +5,7 @@ from typing import Annotated
 from fastapi import APIRouter, Body, Response
 
 from bumpless.contract.messages import as_json
+from bumpless_server.alarms.limits import Limits
 from bumpless_server.web.answers.alarms import Alarm, AlarmsAnswer
 from bumpless_server.web.answers.refusal import REFUSALS
 from bumpless_server.web.errors import Refusal
@@ -23,6 +24,12 @@ def alarms(console: Served) -> AlarmsAnswer:
         for found in (console.alarms.open(), console.alarms.history())
     )
     return AlarmsAnswer(open=open_, history=over)
+
+
+@router.get("/limits")
+def limits(console: Served) -> Limits:
+    """How far the vehicle may be off before somebody is told: of its file, else the defaults."""
+    return console.alarms.limits
 
 
 @router.post("/{alarm}/acknowledge", status_code=204)

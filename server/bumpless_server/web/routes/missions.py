@@ -17,6 +17,9 @@ from bumpless_server.web.routes.findings import refuse_hopeless
 router = APIRouter(prefix="/api", responses=REFUSALS)
 
 
+RAW = {"requestBody": {"content": {"application/yaml": {"schema": {"type": "string"}}}, "required": True}}
+
+
 class Start(BaseModel):
     """Request to fly a mission."""
 
@@ -55,7 +58,7 @@ def mission(console: Served, name: str) -> MissionDetail:
     return MissionDetail.of(file, console.library.marks.of(file.name))
 
 
-@router.post("/missions", status_code=201)
+@router.post("/missions", status_code=201, openapi_extra=RAW)
 async def upload(
     console: Served, request: Request, response: Response, name: str, replace: bool = False
 ) -> MissionDetail:

@@ -74,7 +74,14 @@ class DockingParameters:
         float, Number("Flow below which heading corrections fade", "m/s", 0.001, 1.0, record="flow_floor")
     ] = 0.03
     crab_far: Annotated[float, share("Largest heading correction far out", "crab_far", "Its sine.")] = 0.35
-    crab_near: Annotated[float, share("The same at the observation point", "crab_near", "Its sine.")] = 0.05
+    crab_near: Annotated[
+        float, share("The same at the observation point in still water", "crab_near", "Its sine.")
+    ] = 0.05
+    crab_borne: Annotated[
+        float,
+        share("The same there in a head current", "crab_borne",
+              "Its sine. A current so far off the bow is held for good."),
+    ] = 0.08  # fmt: skip
     crab_free: Annotated[
         float,
         share("The same where the approach heading may follow the hull", "crab_free",
@@ -123,10 +130,10 @@ class DockingParameters:
         float, way("Half width of the approach cone at the observation point", "cone_base", 20.0)
     ] = 0.35
     cone_slope: Annotated[float, share("Its growth per metre", "cone_slope")] = 0.15
-    hover_lateral_m: Annotated[float, way("Offset in H that is not waited out", "hover_lateral", 10.0)] = 0.12
+    hover_lateral_m: Annotated[float, way("Offset in H that is not waited out", "hover_lateral", 10.0)] = 0.16
     hover_heading_deg: Annotated[
         float, Number("Heading error in H that is not waited out", "deg", 0.1, 90.0, record="hover_heading")
-    ] = 4.5
+    ] = 6.0
     # into a dock that can be entered
     creep_after_s: Annotated[
         float, spell("Stay at the observation point before the dock is entered", "creep_after")
@@ -185,7 +192,9 @@ class DockingParameters:
     pitch_flow_high_mps: Annotated[float, pace("Flow where it holds it alone", "pitch_flow_high")] = 0.4
     pitch_integral: Annotated[float, share("Heave integration that pitch takes away", "pitch_integral")] = 0.3
     pitch_lead_s: Annotated[float, spell("Lead of depth rate", "pitch_lead")] = 1.5
-    pitch_feed: Annotated[float, share("Depth reference's rate fed forward", "pitch_feed")] = 0.0
+    pitch_feed: Annotated[
+        float, share("Slope of a leg fed forward", "pitch_feed", "By pitch; a step of depth is not.")
+    ] = 1.0
     depth_rate_pitch_mps: Annotated[
         float, pace("Fastest change of the depth reference by pitch", "depth_rate_pitch")
     ] = 0.12

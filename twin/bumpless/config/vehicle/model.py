@@ -71,6 +71,13 @@ class Vehicle(Document):
         """Every command of every actuator, in the order of u."""
         return tuple(command for actuator in self.actuators for command in actuator.commands)
 
+    @property
+    def ends_m(self) -> tuple[float, float]:
+        """x of nose and tail in body axes, m; a box has its origin in the middle."""
+        length = self.hull.length_m
+        fore = getattr(self.hull, "nose_to_origin_m", 0.5 * length)
+        return fore, fore - length
+
     def slots(self, kind: str) -> list[int]:
         """Places in u of the commands of all actuators of a kind ("fin", "thruster")."""
         kinds = [actuator.kind for actuator in self.actuators for _ in actuator.commands]

@@ -53,9 +53,12 @@ def aim_aside(settings, along, across):
 @jit
 def largest_crab(settings, near, along, left):
     """Sine of the largest heading correction: it narrows towards the observation point, so that the marker
-    stays in view and the bow straight. near: what is left of it there; along: of the current, m/s; left: m.
+    stays in view and the bow straight; without flow an angle there would not be undone. near: what is left of
+    it there in flow; along: of the current, m/s; left: m.
     """
-    missing = max(2.0 * settings.flow_floor - abs(along), 0.0)
+    full = 2.0 * settings.flow_floor
+    missing = max(full - abs(along), 0.0)
+    near += missing / full * (settings.crab_near - near)
     straighten = settings.straighten + settings.straighten_flow * missing
     most = near + settings.crab_slope * max(abs(left) - straighten, 0.0)
     return min(most, settings.crab_far)
@@ -66,7 +69,7 @@ def line_heading(dt, settings, current, u_r, learn, free, view, docking):
     """psi_d that follows the approach line, rad. u_r: speed ahead through water; learn: drift is learnt;
     free: the approach heading may follow the hull."""
     along, _ = along_across(current, docking.heading)
-    near = settings.crab_free if free else settings.crab_near
+    near = settings.crab_free if free else settings.crab_borne
     most = largest_crab(settings, near, along, view.left)
     return steer(dt, settings, current, u_r, learn, most, view, docking)
 

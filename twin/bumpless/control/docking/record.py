@@ -29,7 +29,7 @@ DOCKING_STATE = np.dtype(
         ("lateral_rate", f8),  # speed over ground across the approach line, to starboard, smoothed, m/s
         ("surge_lag", f8),  # by how much speed stays behind its reference, smoothed, m/s
         ("u_dot", f8),  # of the speed reference, m/s^2
-        ("depth_goal_rate", f8),  # of the depth reference, smoothed, m/s
+        ("leg_climb", f8),  # rate of the depth reference on a leg that slopes, smoothed, m/s
         ("pitch_share", f8),  # of depth control that pitch has
         ("schedule", f8),  # share of the fin channels' gains in the last cycle; 0 before the first
     ],

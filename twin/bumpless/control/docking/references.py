@@ -47,10 +47,10 @@ def pitch_reference(settings, guidance, depth, z_d, e_dot_z, u_r, docking):
     if guidance.pitch_look_ahead <= 0.0:
         docking.pitch_share = 0.0
         return 0.0
-    fed = settings.pitch_feed * docking.depth_goal_rate
+    fed = settings.pitch_feed * docking.leg_climb if docking.stage == TRANSIT else 0.0
     z_e = depth - z_d - settings.pitch_lead * (e_dot_z + fed)
-    slope = min(max(docking.depth_goal_rate / max(u_r, max(low, 1e-3)), -_CLIMB_MOST), _CLIMB_MOST)
-    wanted = atan(z_e / guidance.pitch_look_ahead) - settings.pitch_feed * asin(slope)
+    slope = fed / max(u_r, max(low, 1e-3))
+    wanted = atan(z_e / guidance.pitch_look_ahead) - asin(min(max(slope, -_CLIMB_MOST), _CLIMB_MOST))
     return docking.pitch_share * min(max(wanted, -guidance.pitch_max), guidance.pitch_max)
 
 
@@ -71,8 +71,8 @@ def shape_depth(dt, settings, guidance, z_goal, reference, view, docking):
     before = reference[2]
     view.depth_moves = 1 if abs(z_goal - before) > rate * dt else 0
     reference[2] = approach(before, z_goal, rate * dt)
-    moved = (reference[2] - before) / dt
-    docking.depth_goal_rate += dt / (dt + _T_DEPTH_RATE) * (moved - docking.depth_goal_rate)
+    climbs = 0.0 if view.depth_moves == 1 else (reference[2] - before) / dt  # a step fed forward overshoots
+    docking.leg_climb += dt / (dt + _T_DEPTH_RATE) * (climbs - docking.leg_climb)
 
 
 @jit
@@ -127,7 +127,7 @@ def begin_at(navigation, reference):
 @jit
 def rest_references(view, docking):
     """While paused nothing of the shaping goes on; depth is held by heave."""
-    docking.u_dot = docking.depth_goal_rate = docking.pitch_share = 0.0
+    docking.u_dot = docking.leg_climb = docking.pitch_share = 0.0
     view.depth_moves = 0
 
 

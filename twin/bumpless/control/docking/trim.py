@@ -7,6 +7,7 @@ from bumpless.physics.actuators import FIN
 from bumpless.physics.actuators.fin import wrench
 
 _TURNING = 0.1  # rad of heading error above which nothing is learnt of the yaw trim
+_DIVING = 0.08  # m of depth error above which pitch is on its way there and nothing is learnt of the load
 _FULL = 0.95  # share of the limit in heave at which the verticals are at their end
 _LEAST_SHARE = 1e-3  # of the schedule
 _HEAVE_LEFT = 0.05  # share of heave's weight that stays where pitch has depth
@@ -39,7 +40,8 @@ def trim_gains(settings, model, navigation, u_d, errors, z_force, view, docking,
     """
     share = docking.pitch_share
     gains.share[2] *= 1.0 - share
-    gains.K_I[2] *= 0.0 if view.depth_moves == 1 else 1.0 - settings.pitch_integral * share
+    diving = view.depth_moves == 1 or share * (abs(errors.e[2]) + abs(errors.e_dot[2])) > _DIVING
+    gains.K_I[2] *= 0.0 if diving else 1.0 - settings.pitch_integral * share
     gains.windup[2] = 0.0  # draining the integral would give up the load that the verticals carry
     if abs(z_force) > _FULL * gains.demand_limit[2] and errors.e[2] * z_force > 0.0:
         gains.K_I[2] = 0.0
