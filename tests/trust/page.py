@@ -9,8 +9,8 @@ HEAD = """\
 # Trust, measured
 
 What `python -m tests.trust --commit` found at full size; a small share of each trial is part of the tests
-(`tests/trust/test_trials.py`). Why each is tried: [What can be trusted](trust.md). Times were taken while as many
-jobs as the last column says wanted one of the machine's two cores.
+(`tests/trust/test_trials.py`). Why each is tried: [What can be trusted](trust.md). Times were taken while as
+many jobs as the last column says wanted one of the machine's two cores.
 
 | trial | what | found | promised | kept | load |
 | --- | --- | --- | --- | --- | --- |

@@ -1,4 +1,4 @@
-"""A small share of each trial of `python -m tests.trust`: what must never happen, and no clock but for that."""
+"""A small share of the trials of `python -m tests.trust`: what must never happen, without its times."""
 
 import json
 from collections.abc import Iterable
