@@ -8,7 +8,6 @@ import numpy as np
 
 from bumpless.chart import Floor
 from bumpless.metrics.columns import Floats
-from bumpless.metrics.dock import ends_of
 
 if TYPE_CHECKING:
     from bumpless.config.vehicle import Vehicle
@@ -33,7 +32,7 @@ def floor_clearance(eta: Floats, vehicle: "Vehicle", floor: Floor) -> Floats:
     Positive above the floor. The hull is its axis with its radius; what stands out below it counts in the
     middle.
     """
-    fore, aft = ends_of(vehicle)
+    fore, aft = vehicle.ends_m
     phi, theta, psi = eta[:, 3], eta[:, 4], eta[:, 5]
     radius = 0.5 * vehicle.hull.diameter_m
     least = np.full(len(eta), np.inf)

@@ -75,9 +75,8 @@ def _flight(run: Run, index: int, count: int, zero: float, make_hull: MakeHull |
 
 def plain_hull(vehicle: Vehicle) -> Hull:
     """A spindle of the vehicle's length, for whoever has no better picture of it."""
-    from bumpless.metrics.dock import ends_of
 
-    fore, aft = ends_of(vehicle)
+    fore, aft = vehicle.ends_m
     radius, sides = 0.09 * (fore - aft), 10
     ring = [(np.cos(a), np.sin(a)) for a in np.linspace(0.0, 2.0 * np.pi, sides, endpoint=False)]
     stations = [(fore - 0.2 * (fore - aft), radius), (aft + 0.3 * (fore - aft), radius)]
