@@ -33,6 +33,15 @@ def _of(count: int, share: float) -> int:
     return max(1, round(count * share))
 
 
+def _keep(name: str, found: list[Figure]) -> None:
+    known = json.loads(FIGURES.read_text()) if FIGURES.exists() else {}
+    load = round(os.getloadavg()[0], 1)
+    known[name] = {"load": load, "figures": [figure.record() for figure in found]}
+    known = {trial: known[trial] for trial in TRIALS if trial in known}
+    FIGURES.write_text(json.dumps(known, indent=1) + "\n")
+    page.write(known)
+
+
 def main() -> int:
     """Command line."""
     parser = argparse.ArgumentParser(
@@ -42,7 +51,6 @@ def main() -> int:
     parser.add_argument("--share", type=float, default=1.0, help="of the full size")
     parser.add_argument("--commit", action="store_true", help="keep the figures and renew the page")
     options = parser.parse_args()
-    known = json.loads(FIGURES.read_text()) if FIGURES.exists() else {}
     kept = True
     for name in options.trials or TRIALS:
         found = []
@@ -50,11 +58,8 @@ def main() -> int:
             print(figure.row(), flush=True)
             found.append(figure)
         kept = kept and all(figure.met for figure in found)
-        load = os.getloadavg()[0]
-        known[name] = {"load": round(load, 1), "figures": [figure.record() for figure in found]}
         if options.commit:
-            FIGURES.write_text(json.dumps(known, indent=1) + "\n")
-            page.write(known)
+            _keep(name, found)
     return 0 if kept else 1
 
 

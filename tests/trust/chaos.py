@@ -76,7 +76,8 @@ def _router() -> Iterator[Figure]:
             with program("-m", "tests.node.router", endpoint) as again:
                 assert again.stdout is not None and again.stdout.readline()
                 back = time.monotonic()
-                resumed = seen.until_link(pb.LINK_STATE_LIVE, since=back)
+                live_at = at + lost + seen.until_link(pb.LINK_STATE_LIVE, since=at + lost)
+                resumed = max(0.0, live_at - back)
                 time.sleep(2.0)
                 recording = running.console.recorder.recording
                 same = recording is not None and recording.path.stem == run and node.poll() is None

@@ -7,6 +7,8 @@ import time
 from collections.abc import Iterator
 from pathlib import Path
 
+import psutil
+
 from bumpless.config.vehicle import load_vehicle
 from bumpless.contract import bumpless_pb2 as pb
 from tests.trust.figure import Figure, at_most, exactly
@@ -24,7 +26,7 @@ def figures(count: int, of: str = "ts100") -> Iterator[Figure]:
             told = running.http.get("/api/parameters").json()["active"]
             told["hover"]["ramp_cycles"] = tuned = told["hover"]["ramp_cycles"] + 5
             assert running.http.put("/api/parameters", json=told).status_code == 200
-            back, kept, held = [], 0, 0
+            back, cpu, kept, held = [], [], 0, 0
             state = running.console.state
             for kill in range(1, count + 1):
                 if kill == 1:
@@ -35,7 +37,9 @@ def figures(count: int, of: str = "ts100") -> Iterator[Figure]:
                 pid, at = running.console.supervisor.pid or 0, time.monotonic()
                 os.kill(pid, signal.SIGKILL)
                 lost = seen.until_link(pb.LINK_STATE_LOST, since=at)
-                back.append(seen.until_link(pb.LINK_STATE_LIVE, since=at + lost))
+                back.append(seen.until_link(pb.LINK_STATE_LIVE, since=at + lost) + lost)
+                used = psutil.Process(running.console.supervisor.pid).cpu_times()
+                cpu.append(used.user + used.system)
                 crashes = await_true(
                     lambda kill=kill: events(running, "failsafe")[kill - 1 : kill],
                     "the reaction",
@@ -51,5 +55,6 @@ def figures(count: int, of: str = "ts100") -> Iterator[Figure]:
 
                 kept += bool(await_true(lambda: flown_with() == tuned, "the tuned parameters"))
     yield at_most("node", f"of {count} kills in a row, longest until live again", max(back), "s", BACK_S)
+    yield at_most("node", "most of its own work until then", max(cpu), "s CPU", BACK_S)
     yield exactly("node", "times it came back tuned as before", kept, "", count)
     yield exactly("node", "times it held station as its file declares for a crash", held, "", count)
