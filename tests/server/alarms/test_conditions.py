@@ -184,7 +184,7 @@ def test_limits_come_from_a_file_of_the_vehicle(tmp_path: Path) -> None:
 
 
 def test_depth_and_area_are_watched_where_a_file_says_so() -> None:
-    """Protects the vehicle from the ground and from traffic, also while it drifts; without a file nobody knows."""
+    """Protects the vehicle from the ground and from traffic, drifting too; without a file nobody knows."""
     far = pb.Navigation(
         stamp=pb.Stamp(time_ns=NOW_NS), position_ned_m=pb.Vector3(x=60.0, y=80.0), depth_m=12.0
     )

@@ -40,11 +40,9 @@ class Commanding:
     def author(self) -> str:
         """Who asks: the account, or where nobody logs in, as they say."""
         who = who_asks(self._request)
-        return (
-            who.shown
-            if not who.open
-            else printable(self._request.headers.get("x-operator", ""))[:MOST_AUTHOR]
-        )
+        if not who.open:
+            return who.shown
+        return printable(self._request.headers.get("x-operator", ""))[:MOST_AUTHOR]
 
     async def carry_out(self, verb: str, message: Message, author: str = "", **details: Any) -> CommandReply:
         """Ask the vehicle; a refusal is a 409 with its reason, 412 for a stale revision, 503 when late."""
