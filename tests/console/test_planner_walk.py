@@ -33,6 +33,8 @@ def test_a_newcomer_draws_mends_starts_and_watches_a_mission(page: Page, running
     expect(page.get_by_label("Link: Live")).to_be_visible(timeout=COMPILES_MS)
     show(page, "Plan")
     planner.draw(page)
+    planner.draw_zone(page, (6, 8), (12, 8), (12, 14), (6, 14))
+    expect(page.get_by_role("heading", name="Keep-out zone 1")).to_be_visible()
     state = page.get_by_label("State of the forecast")
     expect(state).to_have_text("up to date", timeout=COMPILES_MS)
 
