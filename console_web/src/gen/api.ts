@@ -765,7 +765,7 @@ export interface paths {
         put?: never;
         /**
          * Start
-         * @description Fly a stored mission.
+         * @description Fly a stored mission. Where people log in, the operator is who asks.
          */
         post: operations["start_api_mission_start_post"];
         delete?: never;

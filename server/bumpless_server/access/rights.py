@@ -62,6 +62,7 @@ ROWS: tuple[Row, ...] = (
         GET /api/missions/{name}/export
         GET /api/missions/{name}/history
         GET /api/missions/{name}/history/{version}
+        GET /api/missions/{name}/difference
         GET /api/missions/{name}/file
         GET /api/missions/{name}/draft
         POST /api/missions/check
@@ -92,6 +93,19 @@ ROWS: tuple[Row, ...] = (
         GET /api/runs-disk
         GET /api/foxglove_layout.json
         GET /api/runs/{run}/log.mcap
+        GET /api/runs/{run}/export
+        GET /api/runs/{run}/hull
+        GET /api/compare/report.html
+        GET /api/foxglove_layout.json
+        GET /api/parameters/revisions
+        GET /api/alarms/limits
+        GET /api/vehicle/reach
+        GET /api/charts
+        GET /api/charts/tiles
+        GET /api/charts/{name}/file
+        GET /api/charts/{name}/picture
+        GET /api/charts/{name}/shown
+        POST /api/what-if
         GET /api/bin
         POST /api/scene/camera
         GET /scene/
@@ -129,6 +143,10 @@ ROWS: tuple[Row, ...] = (
         POST /api/runs-import
         POST /api/what-if
         PUT /api/runs/{run}/words
+        POST /api/runs/{run}/refly
+        PUT /api/charts/{name}
+        PUT /api/charts/{name}/owners
+        DELETE /api/charts/{name}
         POST /api/bin/{run}/restore
         """,
     ),
