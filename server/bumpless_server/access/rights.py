@@ -105,7 +105,6 @@ ROWS: tuple[Row, ...] = (
         GET /api/charts/{name}/file
         GET /api/charts/{name}/picture
         GET /api/charts/{name}/shown
-        POST /api/what-if
         GET /api/bin
         POST /api/scene/camera
         GET /scene/
@@ -143,7 +142,6 @@ ROWS: tuple[Row, ...] = (
         POST /api/runs-import
         POST /api/what-if
         PUT /api/runs/{run}/words
-        POST /api/runs/{run}/refly
         PUT /api/charts/{name}
         PUT /api/charts/{name}/owners
         DELETE /api/charts/{name}
