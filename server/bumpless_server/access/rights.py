@@ -100,7 +100,6 @@ ROWS: tuple[Row, ...] = (
         GET /api/charts/{name}/file
         GET /api/charts/{name}/picture
         GET /api/charts/{name}/shown
-        POST /api/what-if
         GET /api/bin
         POST /api/scene/camera
         GET /scene/
