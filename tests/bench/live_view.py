@@ -65,7 +65,7 @@ def spent(process: psutil.Process) -> float:
 
 
 def heap(page: Page) -> float:
-    """What is in use after collecting garbage, MB: the least of some looks, between which pictures are drawn."""
+    """What is in use after collecting garbage, MB: the least of some looks."""
     tools = page.context.new_cdp_session(page)
     used = []
     for _ in range(8):
