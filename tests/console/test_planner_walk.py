@@ -50,6 +50,7 @@ def test_a_newcomer_draws_mends_starts_and_watches_a_mission(page: Page, running
 
     next_step.get_by_role("button", name="Save and start").click()
     sheet = page.get_by_role("dialog", name="Before the start")
+    expect(sheet).to_contain_text("It reports a leak: it holds station at the surface.")
     warned = sheet.get_by_role("checkbox")
     if warned.count():
         warned.check()

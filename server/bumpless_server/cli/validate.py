@@ -73,6 +73,9 @@ def _checked(path: Path, stability: bool, charts: Path | None) -> dict[str, Any]
         found = checked(data, str(path), lay=lambda mission: laid(mission, path.parent, charts))
     except NotAChart as error:
         return _unread(path, str(error), "sea_floor.grid", hashlib.sha256(data).hexdigest())
+    except Exception as error:  # one odd file costs no answer of the others
+        why = f"cannot be checked: {type(error).__name__}: {error}"
+        return _unread(path, why, sha256=hashlib.sha256(data).hexdigest())
     read = stability and not found["problems"]
     return {**found, "warnings": _warnings(parse_mission(data, str(path))) if read else []}
 

@@ -4,6 +4,7 @@ import io
 import struct
 from typing import Any
 
+from bumpless.contract.extras import imported
 from bumpless_server.plan.charts.content import NotAChart
 
 MOST_PIXELS, WIDEST = 16_000_000, 2048
@@ -15,6 +16,7 @@ BROKEN = (  # what Pillow's readers raise at broken files
 
 def opened(data: bytes, *formats: str) -> Any:
     """The picture (a PIL.Image.Image) in one of these formats, its pixels read. Raises NotAChart."""
+    imported("PIL", "console")
     from PIL import Image
 
     try:
