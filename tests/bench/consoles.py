@@ -3,8 +3,8 @@
     python -m tests.bench.consoles --minutes 15 --consoles 20 --stalled 2
 
 Starts `bumpless serve` with its vehicle at a control period of 0.04 s, keeps missions flying, reads the
-stream as so many browsers would, and prints missed control cycles, the least share of cycles that a console saw, and
-how much memory of server and vehicle grew after the warm-up. Exit code 1 when a target is missed.
+stream as so many browsers would, and prints missed control cycles, the least share of cycles that a console
+saw, and how much memory of server and vehicle grew after the warm-up. Exit code 1 when a target is missed.
 """
 
 import argparse
