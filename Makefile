@@ -118,6 +118,9 @@ bench: $(DONE)/compiled $(DONE)/dev $(DONE)/bench console  ## measure every spee
 bench-live: $(DONE)/compiled $(DONE)/dev console  ## a live node beside a loaded server (MINUTES=10)
 	$(PY) -m tests.bench.live_node --minutes $(MINUTES) --streams 5
 
+bench-consoles: $(DONE)/compiled $(DONE)/dev console  ## twenty consoles at 25 Hz, two stalled (MINUTES=15)
+	$(PY) -m tests.bench.consoles --minutes $(MINUTES)
+
 format: $(DONE)/dev  ## let ruff and biome format and sort imports
 	$(BIN)/ruff check --select I --fix .
 	$(BIN)/ruff format .
@@ -184,4 +187,4 @@ $(DONE)/compiled: $(DONE)/project $(TWIN)
 	@touch $@
 
 .PHONY: help audit fuzz pictures run test test-fast test-console check check-style check-imports check-types check-test-types check-console check-containers check-gen \
-	check-leaks check-results check-figures check-docs check-declared gen gen-code docs release results bench bench-live format console chromium lock clean
+	check-leaks check-results check-figures check-docs check-declared gen gen-code docs release results bench bench-consoles bench-live format console chromium lock clean

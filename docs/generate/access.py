@@ -2,6 +2,7 @@
 
 from bumpless_server.access.rights import ROWS, Row
 from bumpless_server.access.who import Role
+from bumpless_server.keys.access import Party, rights
 from docs.generate.markdown import NOTE, table
 
 HEAD = """# Who may do what
@@ -17,6 +18,14 @@ made), everybody is an engineer. What stands in no row needs an engineer.
 *Control*: refused (423) while somebody else holds control. Pause and abort are not.
 
 """
+BUS = """
+## On the bus
+
+With keys (`bumpless keys`) the router takes from each party only what stands here, and its access control is
+made from this very table. Without keys everybody who reaches the bus may everything, and the console says so.
+
+"""
+PARTIES = (Party("server"), Party("vehicle", "<vehicle>"), Party("observer", "<name>"))
 YES, NO = "yes", "–"
 
 
@@ -26,7 +35,13 @@ def page() -> str:
         (f"`{row.method} {row.path}`", *(_cell(row, role) for role in (None, *Role)), _control(row))
         for row in ROWS
     ]
-    return NOTE + HEAD + table(("route", "nobody", *(role.name for role in Role), "control"), rows)
+    told = table(("route", "nobody", *(role.name for role in Role), "control"), rows)
+    bus = [
+        (f"`{party.common_name}`", right.why, ", ".join(f"`{key}`" for key in right.keys))
+        for party in PARTIES
+        for right in rights(party)
+    ]
+    return NOTE + HEAD + told + BUS + table(("party", "may", "keys"), bus)
 
 
 def _cell(row: Row, role: Role | None) -> str:

@@ -16,7 +16,9 @@ from typing import Any
 from bumpless.config.vehicle import Vehicle, VehicleError, parse_vehicle
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.version import software_version
-from bumpless.runs.names import COMPLETE, DESCRIPTION
+from bumpless.runs.adopt import NotOurs, adopt
+from bumpless.runs.names import COMPLETE, DESCRIPTION, ENDING
+from bumpless.runs.records import read_records
 from bumpless.runs.view import View
 from bumpless_server.access.accounts import Accounts, AccountsError
 from bumpless_server.access.lease import Lease
@@ -52,6 +54,7 @@ from bumpless_server.runs.errands import Errands
 from bumpless_server.runs.recorder import Recorder
 from bumpless_server.runs.replays import Replays
 from bumpless_server.runs.shelf import Shelf
+from bumpless_server.runs.watch import FolderWatch
 from bumpless_server.scene.ghosts import Ghosts
 from bumpless_server.settings import Settings
 from bumpless_server.vehicle_process.node_command import node_command
@@ -189,6 +192,9 @@ class Console:
             indexing = threading.Thread(target=self._index, name="catalogue", daemon=True)
             indexing.start()
             stack.callback(indexing.join)
+            watch = FolderWatch(self.data.runs, self._found)
+            watch.start()
+            stack.callback(watch.stop)
             if self.settings.manage_node:
                 stack.callback(self.supervisor.stop)
                 self.supervisor.start()
@@ -381,6 +387,22 @@ class Console:
             log.exception("the runs could not be indexed")
         finally:
             self.indexed.set()
+
+    def _found(self, names: set[str]) -> None:
+        """Somebody put logs into the folder of runs, or took some away."""
+        if not self.indexed.is_set():
+            return
+        before = {row.summary.id for row in self.catalogue.rows()}
+        for path in (self.data.runs / name for name in names - {f"{run}{ENDING}" for run in before}):
+            if path.is_file() and path != self._busy() and not read_records(path).run:
+                with contextlib.suppress(NotOurs, OSError):  # it is listed as what it is
+                    adopt(path, path)
+        self.catalogue.refresh(busy=self._busy)
+        new = {row.summary.id for row in self.catalogue.rows()} - before
+        for run in sorted(new & {Path(name).stem for name in names}):
+            self.say(
+                pb.SEVERITY_INFO, "run_found", f"Run {run} was put into the folder of runs", {"run": run}
+            )
 
     def _busy(self) -> Path | None:
         run = self.recorder.recording

@@ -109,6 +109,9 @@ class Settings(BaseSettings):
         ge=1,
         description="largest body of a request: mission file, preset, another program's mission",
     )
+    import_bytes: int = Field(
+        default=2_000_000_000, ge=1, description="largest log that may be brought into the list of runs"
+    )
 
     tiles: str = Field(
         default="",

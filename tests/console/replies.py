@@ -7,6 +7,7 @@ from google.protobuf.json_format import MessageToDict
 
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless_server.alarms.limits import Limits
+from bumpless_server.live.tally import KINDS
 from tests.console import flight
 from tests.console.contract_server import ContractServer
 
@@ -160,7 +161,42 @@ def default_replies(server: ContractServer) -> None:
     server.reply("GET", "runs", [run(OLD_RUN_ID, "docking_current", "complete", "duration reached", "held")])
     server.reply("GET", f"runs/{OLD_RUN_ID}/metrics", as_json(metrics()))
     server.reply("GET", f"runs/{OLD_RUN_ID}/log.mcap", b"\x89MCAP0\r\n")
+    server.reply("GET", "diagnostics", diagnostics())
+    server.reply("GET", "audit", audit())
+    for people in ("users", "sessions", "tokens"):
+        server.reply("GET", people, [])
     server.reply("POST", "scene/camera", {"view": "top", "viewers": 1})
+
+
+def diagnostics() -> dict[str, Any]:
+    """Some messages were odd, one file is left out."""
+    kinds = [("undecodable", 3, "2026-01-01T00:00:00Z", "tlm/control"), ("late_command", 0, None, "")]
+    return {
+        "counted": [
+            {"kind": kind, "meaning": KINDS[kind], "count": count, "last": last, "example": example}
+            for kind, count, last, example in kinds
+        ],
+        "topics": [{"topic": "tlm/navigation", "age_s": 0.1, "fresh_for_s": 0.5, "late": False}],
+        "left_out": [{"folder": "runs", "name": "odd.mcap", "reason": "is a folder"}],
+        "clock_offset_s": 0.012,
+        "vehicle_session": "ab12",
+        "bus_notice": "",
+        "audit_trouble": "",
+    }
+
+
+def audit() -> list[dict[str, Any]]:
+    """Ada tuned and started."""
+    common = {"author": "ada", "address": "10.0.0.1", "answer": "accepted", "said": "", "took_s": 0.1}
+    start = {
+        "time": "2026-01-01T00:00:02Z",
+        "id": "2",
+        "verb": "start",
+        "details": {"mission": "docking.yaml"},
+    }
+    changes = {"changes": {"hover.lambda": [0.1, 0.2]}}
+    tune = {"time": "2026-01-01T00:00:01Z", "id": "1", "verb": "set_parameters", "details": changes}
+    return [{**common, **start}, {**common, **tune}]
 
 
 REACH = (4.0, 0.0, 2.0, 1.0, 1.2, 1.6)  # along X Y Z K M N: boxes, so that a test knows the margin

@@ -44,6 +44,14 @@ def test_a_sound_mission_has_no_findings() -> None:
     assert found(CASE) == []
 
 
+def ten_minutes(north: float, east: float, gust: float = 0.0, approach: str = "") -> str:
+    """Ten minutes of hover in a current, m/s, that comes from ahead where north is negative."""
+    sea = f"environment: {{current_ned_mps: [{north}, {east}, 0], current_variation: {{std_mps: {gust}}}}}\n"
+    sea = sea.replace("}}", ", time_constant_s: 30}}")
+    text = CASE.replace("duration_s: 180", "duration_s: 900") + sea + "end: {hover_hold_s: 600}\n"
+    return text.replace("standoff_m: 1.5", f"standoff_m: 1.5, {approach}") if approach else text
+
+
 @pytest.mark.parametrize(
     ("text", "wanted"),
     [
@@ -59,6 +67,8 @@ def test_a_sound_mission_has_no_findings() -> None:
         (CASE.replace("[10, 0, 2.0]", "[20, 0, 2.0], speed_mps: 0.7}\n  - {to_ned_m: [0, 0, 2.0]"),
          ("soft", "seen_early")),
         (CASE + "end: {hover_hold_s: 100}\n", ("soft", "long_hover")),
+        (ten_minutes(0.0, 0.0), ("hard", "long_hover")),
+        (ten_minutes(-0.1, 0.01), ("soft", "long_hover")),
         (CASE + "environment: {beam_attenuation_per_m: 0.96}\n", ("soft", "seen_too_late")),
     ],
 )  # fmt: skip
@@ -130,3 +140,20 @@ def test_every_example_mission_can_be_flown_or_says_why_not(path) -> None:
     mission = bumpless.load_mission(path)
     errors = [one for one in bumpless.check(mission) if one.blocks]
     assert bool(errors) == ("does not dock" in mission.title)
+
+
+@pytest.mark.parametrize(
+    ("text", "accepted"),
+    [
+        (ten_minutes(-0.06, 0.0), True),
+        (ten_minutes(-0.04, 0.0), False),
+        (ten_minutes(-0.1, 0.006), True),
+        (ten_minutes(-0.1, 0.006, gust=0.002), False),
+        (ten_minutes(-0.1, 0.006, 0.002, "heading_tolerance_deg: 10"), True),
+        (ten_minutes(0.0, 0.1, 0.006, "approach: into_current"), True),
+        (ten_minutes(0.0, 0.07, 0.006, "approach: into_current"), False),
+    ],
+)
+def test_ten_minutes_are_accepted_only_where_they_are_held(text, accepted) -> None:
+    """Protects: a long hover that the gusts or too little flow would break off is never passed over."""
+    assert ("long_hover" not in [code for _, code in found(text)]) == accepted

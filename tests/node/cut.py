@@ -16,16 +16,19 @@ class Cut:
         self.port: int = self._door.getsockname()[1]
         threading.Thread(target=self._take, daemon=True).start()
 
-    def cut(self) -> None:
-        """Every connection ends, and none is taken."""
+    def cut(self, silently: bool = False) -> None:
+        """Every connection ends, and none is taken. `silently`: they stay, and swallow what is said."""
         self._is_cut = True
+        if silently:
+            return
         for one in self._sockets:
             with contextlib.suppress(OSError):
                 one.shutdown(socket.SHUT_RDWR)
         self._sockets.clear()
 
     def join(self) -> None:
-        """Connections are taken again."""
+        """Connections are taken again; those of before are of no use any more."""
+        self.cut()
         self._is_cut = False
 
     def close(self) -> None:
@@ -48,7 +51,16 @@ class Cut:
                 continue
             self._sockets += [near, far]
             for source, sink in ((near, far), (far, near)):
-                threading.Thread(target=_pass_on, args=(source, sink), daemon=True).start()
+                threading.Thread(target=self._pass_on, args=(source, sink), daemon=True).start()
+
+    def _pass_on(self, source: socket.socket, sink: socket.socket) -> None:
+        with contextlib.suppress(OSError):
+            while data := source.recv(65536):
+                if not self._is_cut:
+                    sink.sendall(data)
+        for one in (source, sink):
+            with contextlib.suppress(OSError):
+                one.shutdown(socket.SHUT_RDWR)
 
 
 @contextlib.contextmanager
@@ -59,12 +71,3 @@ def cuttable(target: int) -> Iterator[Cut]:
         yield link
     finally:
         link.close()
-
-
-def _pass_on(source: socket.socket, sink: socket.socket) -> None:
-    with contextlib.suppress(OSError):
-        while data := source.recv(65536):
-            sink.sendall(data)
-    for one in (source, sink):
-        with contextlib.suppress(OSError):
-            one.shutdown(socket.SHUT_RDWR)

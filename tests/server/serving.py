@@ -3,6 +3,7 @@
 import asyncio
 import contextlib
 import socket
+import ssl
 import threading
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
@@ -77,7 +78,10 @@ def serving(settings: Settings) -> Iterator[Running]:
     )
     thread.start()
     port = listener.getsockname()[1]
-    with httpx.Client(base_url=f"http://127.0.0.1:{port}", timeout=PATIENCE_S) as http:
+    scheme, trusted = ("https", ssl.create_default_context()) if settings.tls_cert else ("http", True)
+    if isinstance(trusted, ssl.SSLContext):
+        trusted.load_verify_locations(settings.tls_cert)
+    with httpx.Client(base_url=f"{scheme}://127.0.0.1:{port}", timeout=PATIENCE_S, verify=trusted) as http:
         http.get("/api/health").raise_for_status()
 
         def stop() -> None:

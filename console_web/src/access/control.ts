@@ -30,6 +30,9 @@ export const asked = computed((): boolean =>
 export const commands = computed((): boolean => me.value?.role !== "observer");
 export const tunes = computed((): boolean => me.value === undefined || me.value.role === "engineer");
 
+/** Starting and resuming are not for this browser now. */
+export const barred = computed((): boolean => heldByOther.value || !commands.value);
+
 /** The last refusal of what is below. */
 export const controlRefused = signal<Refusal | undefined>(undefined);
 

@@ -228,7 +228,7 @@ function paintLine(
 ): void {
   const answer = ahead.peek();
   if (!answer) return;
-  const flown = measured(column, answer.from_s, answer.from_s - 0.25 * horizon_s.peek());
+  const flown = measured(column, answer.from_s, Math.max(0.1, answer.from_s - 0.25 * horizon_s.peek()));
   draw(
     g,
     width,

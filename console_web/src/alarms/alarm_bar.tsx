@@ -1,8 +1,10 @@
 // Below the command line on every view: what went wrong stays here until a person has seen it.
 import { useSignal } from "@preact/signals";
 import { useRef } from "preact/hooks";
+import { heldByOther } from "../access/control";
 import type { Alarm } from "../gen/bumpless_pb";
 import { timeOfDay, zoneName } from "../lib/zone";
+import { ActButton } from "../ui/act_button";
 import { CheckIcon, ClockIcon } from "../ui/icons";
 import { useKeptFocus } from "../ui/keep_focus";
 import "./alarm_bar.css";
@@ -28,6 +30,7 @@ const SHELVES: [seconds: number, name: string][] = [
   [28_800, "8 h"],
 ];
 const FIRST_SHELF_S = 600;
+const NOT_YOURS = "For who is in control";
 const STATES: Record<AlarmState, string> = {
   unacknowledged: "holds",
   acknowledged: "seen, holds",
@@ -112,9 +115,14 @@ function Row({ alarm }: { alarm: Alarm }) {
       </span>
       <span class="tag">{handled(alarm, state)}</span>
       {!alarm.acknowledgedNs && (
-        <button type="button" class="action small" onClick={() => void acknowledge(alarm)}>
+        <ActButton
+          class="action small"
+          waiting={heldByOther.value}
+          title={heldByOther.value ? NOT_YOURS : undefined}
+          onAct={() => void acknowledge(alarm)}
+        >
           <CheckIcon size={12} /> Seen<span class="sr">: {alarm.text}</span>
-        </button>
+        </ActButton>
       )}
       {state !== "shelved" && !alarm.returnedNs && <Shelve alarm={alarm} />}
     </li>
@@ -125,14 +133,14 @@ function Shelve({ alarm }: { alarm: Alarm }) {
   const seconds = useSignal(FIRST_SHELF_S);
   return (
     <span class="shelve">
-      <button
-        type="button"
+      <ActButton
         class="action small"
-        title="Keep it out of the way for a time; it comes back by itself"
-        onClick={() => void shelve(alarm, seconds.value)}
+        waiting={heldByOther.value}
+        title={heldByOther.value ? NOT_YOURS : "Keep it out of the way for a time; it comes back by itself"}
+        onAct={() => void shelve(alarm, seconds.value)}
       >
         <ClockIcon size={12} /> Shelve<span class="sr">: {alarm.text}</span>
-      </button>
+      </ActButton>
       <select
         class="small"
         aria-label={`Shelve for, ${alarm.text}`}

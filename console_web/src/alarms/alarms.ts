@@ -45,7 +45,6 @@ export const refused = signal<Refusal | undefined>(undefined);
 export async function acknowledge(alarm: Alarm): Promise<void> {
   const answer = await ask("post", "/api/alarms/{alarm}/acknowledge", {
     path: { alarm: alarm.id },
-    body: { by: "operator" },
   });
   refused.value = answer.ok ? undefined : answer;
 }
@@ -53,7 +52,7 @@ export async function acknowledge(alarm: Alarm): Promise<void> {
 export async function shelve(alarm: Alarm, seconds: number): Promise<void> {
   const answer = await ask("post", "/api/alarms/{alarm}/shelve", {
     path: { alarm: alarm.id },
-    body: { seconds, by: "operator" },
+    body: { seconds },
   });
   refused.value = answer.ok ? undefined : answer;
 }

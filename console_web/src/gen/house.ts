@@ -24,6 +24,11 @@ export const VIEWS = [
     "id": "runs",
     "name": "Runs",
     "about": "Recorded flights with their metrics and files."
+  },
+  {
+    "id": "system",
+    "name": "System",
+    "about": "What was not taken as it came, who did what, and who may."
   }
 ] as const;
 export const HELP = "/help/" as const;

@@ -4,6 +4,8 @@ import { type Event, Severity } from "../gen/bumpless_pb";
 import { clock } from "../lib/format";
 import { timeOfDay, zoneName } from "../lib/zone";
 import { screen } from "../stream/screen";
+import { live } from "../stream/store";
+import { whenMs } from "../stream/vehicle_time";
 import { AlarmIcon, InfoIcon, WarningIcon } from "../ui/icons";
 import { Empty, Panel } from "../ui/panel";
 import { Segments } from "../ui/segments";
@@ -102,7 +104,8 @@ function Switch({ event }: { event: Event }) {
 function when(event: Event): string {
   if (event.stamp && (event.stamp.missionTimeS > 0 || !screen.isLive))
     return `T+${clock(event.stamp.missionTimeS)}`;
-  if (!event.stamp?.timeNs) return "";
-  const at = new Date(Number(event.stamp.timeNs / 1_000_000n));
+  const ms = whenMs(event, live.latest("server/status")?.clockOffsetS ?? 0);
+  if (ms === undefined) return "";
+  const at = new Date(ms);
   return `${timeOfDay(at)} ${zoneName(at)}`;
 }

@@ -5,6 +5,8 @@ import { missions } from "../api/resources";
 import { go } from "../shell/address";
 import { Main } from "../ui/main";
 import { Segments } from "../ui/segments";
+import { charts, followCharts } from "./charts/charts";
+import { ChartsPanel } from "./charts/charts_panel";
 import { plan } from "./fly/forecast";
 import { ForecastPanel } from "./fly/forecast_panel";
 import { WhatIf } from "./fly/what_if_panel";
@@ -26,13 +28,14 @@ import { Timeline } from "./timeline/timeline";
 import { Versions } from "./versions";
 import "./planner_view.css";
 
-type Tab = "form" | "legs" | "text" | "if" | "keys";
+type Tab = "form" | "legs" | "text" | "if" | "charts" | "keys";
 const tab = signal<Tab>("form");
 const TABS: readonly { value: Tab; name: string; about: string }[] = [
   { value: "form", name: "Details", about: "Every number of what is selected, or of the mission" },
   { value: "legs", name: "Legs", about: "Length, time and depth rate of each leg" },
   { value: "text", name: "YAML", about: "The file itself" },
   { value: "if", name: "What if", about: "Another current, vehicle or tuning beside the plan" },
+  { value: "charts", name: "Charts", about: "Overlays and depths beneath the plan" },
   { value: "keys", name: "Keys", about: "What the keyboard does" },
 ];
 
@@ -44,6 +47,7 @@ export function PlannerView({ hidden }: { hidden: boolean }) {
     const stops = [
       copyOnEdit(),
       autosave(),
+      followCharts(),
       plan.follow(() => name.value !== "" && !broken.value && flies()),
     ];
     for (const kind of ["copy", "cut", "paste"] as const) document.addEventListener(kind, onClipboard);
@@ -92,6 +96,13 @@ export function PlannerView({ hidden }: { hidden: boolean }) {
       </div>
       <Preflight />
       <Versions />
+      <datalist id="plan-grids">
+        {charts.value
+          ?.filter(({ kind }) => kind === "depths")
+          .map(({ name: grid }) => (
+            <option key={grid} value={grid} />
+          ))}
+      </datalist>
       <datalist id="plan-actuators">
         {vehicle.value?.actuators.map((id) => (
           <option key={id} value={id} />
@@ -140,6 +151,8 @@ function Details() {
           <YamlEditor />
         ) : here === "if" ? (
           <WhatIf />
+        ) : here === "charts" ? (
+          <ChartsPanel />
         ) : (
           <Keys />
         )}

@@ -1,6 +1,8 @@
 // Second line, on every view: what flies, how far it is, and the four commands. Abort stands
 // apart at the far end and wants to be held.
 import { useRef } from "preact/hooks";
+import { barred, commands } from "../access/control";
+import { ControlChip } from "../access/control_chip";
 import { missions } from "../api/resources";
 import { type Event, MissionPhase } from "../gen/bumpless_pb";
 import { clock } from "../lib/format";
@@ -53,6 +55,7 @@ export function CommandBar() {
     <>
       <section class="commandbar" aria-label="Mission control" ref={bar}>
         <Progress />
+        <ControlChip />
         <span class="grow" />
         {view.value === "live" && (
           <span data-aside>
@@ -64,11 +67,11 @@ export function CommandBar() {
             />
           </span>
         )}
-        {!flying.value && view.value !== STARTS_ITSELF && <Chooser waiting={!ready} />}
+        {!flying.value && view.value !== STARTS_ITSELF && <Chooser waiting={!ready || barred.value} />}
         {flying.value && (
           <ActButton
             class="action"
-            waiting={!ready}
+            waiting={!ready || !commands.value || (paused && barred.value)}
             title={paused ? "Go on with the mission" : "Brake and hold station here; the mission waits"}
             onAct={() => void command(paused ? "resume" : "pause")}
           >
@@ -79,7 +82,7 @@ export function CommandBar() {
           name="Abort mission"
           class="abort"
           holdMs={1000}
-          disabled={!moving.value || link.value.look === "offline"}
+          disabled={!moving.value || link.value.look === "offline" || !commands.value}
           title={title}
           onHeld={() => void command("abort")}
         >

@@ -1,5 +1,4 @@
 // Top line: where you are, which vehicle, whether it is live, whether it is recorded.
-
 import { HELP, VIEWS } from "../gen/house";
 import { age, bytes } from "../lib/format";
 import { setTheme, theme } from "../lib/theme";

@@ -12,9 +12,10 @@ interface Props {
 export function Dialog({ name, class: look, onClose, children }: Props) {
   const box = useRef<HTMLDialogElement>(null);
   useLayoutEffect(() => {
-    const before = document.activeElement;
-    box.current?.showModal();
+    const [before, dialog] = [document.activeElement, box.current];
+    dialog?.showModal();
     return () => {
+      dialog?.close(); // while it is open all else is inert and takes no focus
       if (before instanceof HTMLElement && before.isConnected) before.focus();
     };
   }, []);
@@ -24,7 +25,11 @@ export function Dialog({ name, class: look, onClose, children }: Props) {
       ref={box}
       class={`sheet ${look}`}
       aria-label={name}
-      onClose={onClose}
+      onClose={() => box.current?.isConnected && onClose()}
+      onCancel={(event) => {
+        event.preventDefault(); // at once: the browser's own close tells of it later than the next key
+        onClose();
+      }}
       onClick={(event) => event.target === box.current && onClose()}
     >
       {children}

@@ -40,14 +40,14 @@ function commands(): Find[] {
 }
 
 function parameters(): Find[] {
-  return Object.keys(parameterRanges.value ?? {}).map((path) => ({
+  return (parameterRanges.value?.ranges ?? []).map(({ path }) => ({
     kind: "Parameter",
     name: path,
     about: "in Mode weights",
     act: () => {
       go("weights");
       const seek = (left: number): void => {
-        const field = document.querySelector<HTMLElement>(`[data-path="${CSS.escape(path)}"]`);
+        const field = document.querySelector<HTMLElement>(`[data-path^="${CSS.escape(path)}"]`);
         if (field) field.focus();
         else if (left > 0) requestAnimationFrame(() => seek(left - 1));
       };

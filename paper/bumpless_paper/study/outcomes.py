@@ -39,7 +39,7 @@ GROUPS: dict[str, Group] = {
     "fault": Group("fault", "", 200, "an actuator loses effect"),
     "any": Group("any", "", 200, "a fault and a target lost"),
 }
-RESPONSES = {"depth_step": 20, "heading_step": 20, "start_dip": 20, "stay": 40, "light": 20, "heavy": 20}
+RESPONSES = {"depth_step": 20, "heading_step": 20, "start_dip": 20, "stay": 200, "light": 20, "heavy": 20}
 
 
 @dataclass(frozen=True)
@@ -123,12 +123,13 @@ def responses(found: Mapping[str, Sequence[Any]]) -> dict[str, Any]:
             "overshoot": _quantiles([step.overshoot for step in steps]),
         }
     out["start_dip_mps"] = _quantiles(found["start_dip"])
-    stays = [one for one in found["stay"] if one.docked]
-    held = [one for one in stays if one.held]
+    stays = [one for one in found["stay"] if one.accepted]
     out["stay"] = {
-        "docked": len(stays),
-        "held": len(held),
-        "wander_deg": _quantiles([one.wander_deg for one in held]),
+        "asked": len(found["stay"]),
+        "accepted": len(stays),
+        "held": sum(one.held for one in stays),
+        "within": _quantiles([one.within for one in stays]),
+        "wander_deg": _quantiles([one.wander_deg for one in stays]),
     }
     out |= {name: [sum(found[name]), len(found[name])] for name in ("light", "heavy")}
     return out

@@ -74,11 +74,13 @@ ROWS: tuple[Row, ...] = (
         GET /api/planning
         GET /api/planning/{vehicle}
         GET /api/parameters
+        GET /api/parameters/revisions
         GET /api/presets
         GET /api/presets/{name}
         GET /api/fields/{kind}
         GET /api/schemas/{kind}
         GET /api/compare
+        GET /api/compare/report.html
         GET /api/runs
         GET /api/runs/{run}
         GET /api/runs/{run}/replay
@@ -86,7 +88,24 @@ ROWS: tuple[Row, ...] = (
         GET /api/runs/{run}/frames
         GET /api/runs/{run}/report.html
         GET /api/runs/{run}/metrics
+        GET /api/runs/{run}/export
+        GET /api/runs/{run}/hull
+        GET /api/runs-disk
+        GET /api/foxglove_layout.json
         GET /api/runs/{run}/log.mcap
+        GET /api/runs/{run}/export
+        GET /api/runs/{run}/hull
+        GET /api/compare/report.html
+        GET /api/foxglove_layout.json
+        GET /api/parameters/revisions
+        GET /api/alarms/limits
+        GET /api/vehicle/reach
+        GET /api/charts
+        GET /api/charts/tiles
+        GET /api/charts/{name}/file
+        GET /api/charts/{name}/picture
+        GET /api/charts/{name}/shown
+        POST /api/what-if
         GET /api/bin
         POST /api/scene/camera
         GET /scene/
@@ -120,7 +139,14 @@ ROWS: tuple[Row, ...] = (
         DELETE /api/missions/{name}/draft
         POST /api/mission-bin/{binned}/restore
         DELETE /api/runs/{run}
+        POST /api/runs/{run}/refly
+        POST /api/runs-import
+        POST /api/what-if
         PUT /api/runs/{run}/words
+        POST /api/runs/{run}/refly
+        PUT /api/charts/{name}
+        PUT /api/charts/{name}/owners
+        DELETE /api/charts/{name}
         POST /api/bin/{run}/restore
         """,
     ),

@@ -21,7 +21,7 @@ KINDS: dict[str, str] = {
     "no_answer": "Commands that the vehicle did not answer in time.",
     "late_command": "Commands that reached the vehicle after their time and were not carried out.",
     "too_many_commands": "Commands refused here because too many wait for the vehicle already.",
-    "clock_offset": "The vehicle's clock differs from the server's; times are shown as it says them.",
+    "clock_offset": "The vehicle's clock differs from the server's; its times are shown by the server's.",
     "bad_file": "Files in the data folder that are left out of a list; their reasons stand beside them.",
     "refused_login": "Wrong passwords and tokens.",
     "slow_request": "Connections that did not bring a whole request in time, or came in too great a number.",

@@ -30,7 +30,7 @@ from bumpless_server.runs.disk_budget import DiskBudget
 
 log = logging.getLogger(__name__)
 
-FLUSH_S = 1.0
+FLUSH_S = 0.5
 PRE_ROLL = 1000  # messages kept while idle: a run's first cycles may precede its mission status
 PRE_ROLL_BYTES = 4_000_000
 LONGEST_PART = 120

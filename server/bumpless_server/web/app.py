@@ -28,6 +28,7 @@ from bumpless_server.web.routes import (
     foresight,
     help,
     hull,
+    imports,
     library,
     missions,
     page,
@@ -68,6 +69,7 @@ ROUTERS = tuple(
         export,
         refly,
         hull,
+        imports,
         what_if,
         runs,
         shelf,
@@ -98,7 +100,9 @@ def create_app(settings: Settings, console: Console | None = None) -> FastAPI:
     app.state.console = console
     app.state.auth = auth = Auth(settings, console.data.secret(), console.accounts, console.sessions)
     app.state.guesses = guesses = Guesses(console.tally.note)
-    app.add_middleware(BodyLimit, max_bytes=settings.upload_bytes)
+    app.add_middleware(
+        BodyLimit, max_bytes=settings.upload_bytes, larger={"/api/runs-import": settings.import_bytes}
+    )
     app.add_middleware(Guard, auth=auth, guesses=guesses, lease=console.lease)
     errors.install(app)
     for router in ROUTERS:

@@ -22,6 +22,7 @@ from bumpless_server.settings import Settings
 
 COOKIE = "bumpless_session"
 SAFE_METHODS = frozenset({"GET", "HEAD", "OPTIONS"})
+HEALTH = "/api/health"  # asked by the machine itself
 LOOPBACK_NAMES = frozenset({"localhost", "127.0.0.1", "::1"})
 
 Headers = Mapping[str, str]  # names in lower case
@@ -39,6 +40,7 @@ class Auth:
         self._key = hashlib.sha256(key).digest()
         self._accounts, self._sessions = accounts, sessions
         self._demanded = settings.accounts_needed
+        self._by_proxy_alone = bool(settings.proxies) and not settings.plain_http
         self._names = {name.lower() for name in settings.allowed_hosts}
         if settings.loopback:
             self._names |= LOOPBACK_NAMES | {settings.host.lower()}
@@ -82,6 +84,12 @@ class Auth:
             session, account = found
             return Who(account.name, account.rank, session.id, account.name, cookie)
         return None
+
+    def bare(self, scheme: str, path: str) -> tuple[int, str] | None:
+        """(status, reason) for a request that came past the proxy that ends TLS, or without its word."""
+        if not self._by_proxy_alone or scheme in ("https", "wss") or path == HEALTH:
+            return None
+        return 403, "this server is reached by HTTPS, through its proxy"
 
     def foreign(self, method: str, headers: Headers, websocket: bool = False) -> tuple[int, str] | None:
         """(status, reason) for a request by another host name or from another page than ours."""

@@ -45,8 +45,10 @@ class Guard:
     async def _websocket(self, scope: Scope, receive: Receive, send: Send) -> None:
         headers, address = Headers(scope=scope), address_of(scope)
         who = self._auth.who(headers, address)
-        refusal = self._auth.foreign("GET", headers, websocket=True) or self._auth.refusal(
-            who, right_of("WS", scope["path"]), headers, websocket=True
+        refusal = (
+            self._auth.bare(scope.get("scheme", ""), scope["path"])
+            or self._auth.foreign("GET", headers, websocket=True)
+            or self._auth.refusal(who, right_of("WS", scope["path"]), headers, websocket=True)
         )
         if refusal is not None or who is None:
             await receive()
@@ -72,7 +74,8 @@ class Guard:
     async def _http(self, scope: Scope, receive: Receive, send: Send) -> None:
         headers, method, path = Headers(scope=scope), scope["method"], scope["path"]
         address = address_of(scope)
-        if refusal := self._auth.foreign(method, headers) or self._guessed(headers, address):
+        bare = self._auth.bare(scope.get("scheme", ""), path)
+        if refusal := bare or self._auth.foreign(method, headers) or self._guessed(headers, address):
             await _refuse(send, *refusal)
             return
         who, right = self._auth.who(headers, address), right_of(method, path)

@@ -23,14 +23,22 @@ def parts() -> dict[str, Any]:
         "depth_step": [Step(9.0, 0.01), Step(16.0, 0.02)],
         "heading_step": [Step(8.0, 0.0)],
         "start_dip": [0.01],
-        "stay": [Stay(True, True, 0.5), Stay(True, False, 20.0), Stay(False, False, float("nan"))],
+        "stay": [
+            Stay(True, True, 1.0, 0.5),
+            Stay(True, False, 0.4, 0.7),
+            Stay(False, False, float("nan"), float("nan")),
+        ],
         "light": [True, True],
         "heavy": [True, False],
     }
     numbers = {"first": 6_000_000, "groups": groups, "responses": outcomes.responses(found)}
     honest = {
         "plants": 20,
-        "rows": {k: {"median": {"e_tau_true": v}} for k, v in (("S4", 0.45), ("S2", 0.43))},
+        "as_file": {"S4": 0.13, "S2": 0.16},
+        "rows": {
+            name: {"median": {"e_tau_map": 0.07, "e_tau_told": 0.3, "e_tau_true": true}}
+            for name, true in (("S4", 0.45), ("S2", 0.43))
+        },
     }
     return {"outcome": {"numbers": numbers}, "honest": {"numbers": honest}}
 
@@ -42,11 +50,14 @@ def test_shares_are_told_as_counts_with_their_interval() -> None:
     assert (collided.measured, collided.target) == ("7 of 140", "0 of 1,000")
     docked = rows["docked, approach into the current"]
     assert (docked.measured, docked.interval) == ("19 of 20", "76.4 % – 99.1 %")
-    assert rows["hover held for 10 min where it docked"].measured == "1 of 2"
+    held = rows["hover held for 10 min in every accepted current"]
+    assert held.measured == "1 of 2" and held.of.startswith("of 3 draws")  # what isn't accepted isn't counted
     wander = rows["heading wander about the approach in such a hover"]
-    assert wander.measured.startswith("0.5° RMS")  # one that was lost wanders as it likes
+    assert wander.measured.startswith("0.6° RMS")  # those that were lost count too
     assert rows["1 N too light or too heavy"].measured == "2 of 2 too light, 1 of 2 too heavy"
-    assert rows["RMS e_τ by the true wrench, S4"].measured == "0.45; S2 0.43 (medians)"
+    assert rows["RMS e_τ by the true wrench, S4"].measured == "0.13; S2 0.16 (medians)"
+    unknown = rows["the same where lift and thrust differ from the file"]
+    assert unknown.measured == "S4 0.07 / 0.3 / 0.45; S2 0.07 / 0.3 / 0.43"
 
 
 def test_steps_count_the_flights_that_docked() -> None:

@@ -81,6 +81,7 @@ QUANTITIES: dict[str, Quantity] = {
     "fault_effectiveness": Quantity("1", "share of its force that is left", 0.0, 1.0),
     "fault_blend_s": Quantity("s", "time over which it fails", 0.0, 1000.0),
     # the true vehicle, of which the autopilot knows nothing
+    "actuator_flow": Quantity("", "1 with the real flow at screws and fins, 0 without", 0.0, 1.0),
     "mass": _factor("mass, inertia and displacement; added mass aside", 0.5, 2.0),
     "net_buoyancy_n": Quantity("N", "lift added at the centre of buoyancy", -1e3, 1e3),
     "ballast_n": Quantity("N", "weight added at the place below", -1e3, 1e3),

@@ -8,7 +8,7 @@ from typing import Any
 import zenoh
 
 LEASE_MS = 1000  # a frozen peer is missed within about this time
-RETRY = {"period_init_ms": 250, "period_max_ms": 1000, "period_increase_factor": 2}  # to reach an endpoint
+RETRY = {"period_init_ms": 250, "period_max_ms": 500, "period_increase_factor": 2}  # to reach an endpoint
 STALLED_PEER_US = 200_000  # how long a blocking put waits for a peer that doesn't read
 
 

@@ -10,12 +10,11 @@ from bumpless.config.mission.model import Target
 from bumpless.config.parameters import Parameters
 from bumpless.config.vehicle import Vehicle
 from bumpless.feasibility.finding import HARD, SOFT, Finding, Mend
+from bumpless.feasibility.long_hover import check_long_hover
 from bumpless.feasibility.station import ACCEPT, REFUSE, Station, station_keeping
 from bumpless.sim.approach import turn_limit_deg
 
 _FIELD = "target.heading_deg"
-_STEADY_MPS = 0.08  # of current, from which ten minutes are held in gusts
-_LONG_S = 60.0
 _SIDES = (
     "north", "north-east", "east", "south-east", "south", "south-west", "west", "north-west",
 )  # fmt: skip
@@ -29,7 +28,7 @@ def check_station(mission: Mission, vehicle: Vehicle, parameters: Parameters) ->
     station = station_keeping(vehicle, parameters, current, target)
     held = station.chosen
     if held.zone == ACCEPT:
-        yield from _for_long(mission, vehicle, parameters)
+        yield from check_long_hover(mission, vehicle, parameters)
         return
     at = f"heading {station.chosen_deg % 360.0:03.0f}° in {_flow(current)}"
     change, mends = what_would(station, target, vehicle, parameters.docking.enabled)
@@ -39,21 +38,6 @@ def check_station(mission: Mission, vehicle: Vehicle, parameters: Parameters) ->
     else:
         text = f"{vehicle.id} may not hold {at}: {held.reason}."
         yield Finding(SOFT, "current_hard_to_hold", _FIELD, text, change, mends)
-
-
-def _for_long(mission: Mission, vehicle: Vehicle, parameters: Parameters) -> Iterator[Finding]:
-    """A long hover needs flow over the fins: without it the bow is lost now and then, and it docks again."""
-    hold, current = mission.end.hover_hold_s or 0.0, mission.environment.current_ned_mps
-    flow = math.hypot(current[0], current[1])
-    if not parameters.docking.enabled or hold <= _LONG_S or flow >= _STEADY_MPS:
-        return
-    text = (
-        f"{vehicle.id} keeps its bow by the flow over its fins; in less than {_STEADY_MPS:g} m/s it may have "
-        f"to wave off and dock again within {hold:.0f} s."
-    )
-    field = "end.hover_hold_s"
-    mend = Mend(field, _LONG_S, f"Hold {_LONG_S:g} s")
-    yield Finding(SOFT, "long_hover", field, text, f"Ask for {_LONG_S:g} s or less.", (mend,))
 
 
 def _flow(current: tuple[float, float, float]) -> str:

@@ -5,6 +5,7 @@ const START: Forecast = {
   text: "",
   problems: [],
   findings: undefined,
+  floor: undefined,
   nominal: undefined,
   flights: [],
   chance: undefined,

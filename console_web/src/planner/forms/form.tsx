@@ -10,7 +10,11 @@ import { NumberInput } from "./number_input";
 import "./form.css";
 
 /** What is known of a text's words: lists that the planner holds. */
-const LISTS: Record<string, string> = { vehicle: "plan-vehicles", "faults[].actuator": "plan-actuators" };
+const LISTS: Record<string, string> = {
+  vehicle: "plan-vehicles",
+  "faults[].actuator": "plan-actuators",
+  "sea_floor.grid": "plan-grids",
+};
 
 interface PartProps {
   path: Path;

@@ -6,6 +6,7 @@ import { along, bearing, legFacts } from "../model/geometry";
 import { dockEdits, setCurrent, splitLeg } from "../model/operations";
 import { edit, mission, selected } from "../model/plan";
 import { eventOf, legOf, outlineAt } from "../model/things";
+import { EarthPlace } from "./earth_place";
 import { FormPart } from "./form";
 import { NumberInput } from "./number_input";
 import { Remove } from "./remove";
@@ -51,6 +52,7 @@ function StartForm() {
     <div class="form">
       <h3 class="form-title">Start</h3>
       <FormPart path={["start"]} />
+      <EarthPlace thing="start" />
     </div>
   );
 }
@@ -62,6 +64,7 @@ function LegForm({ index }: { index: number }) {
     <div class="form">
       <h3 class="form-title">Waypoint {index + 1}</h3>
       <FormPart path={["legs", index]} />
+      <EarthPlace thing={`leg:${index}`} />
       {facts && (
         <p class="hint num">
           {fixed(facts.length, 1)} m on {fixed(facts.heading, 0)}°, {fixed(facts.seconds, 0)} s
@@ -87,6 +90,7 @@ function DockForm() {
     <div class="form">
       <h3 class="form-title">Dock</h3>
       <FormPart path={["target"]} only={["position_ned_m"]} />
+      <EarthPlace thing="dock" />
       <div class="field-row">
         <span class="field-label">Heading to approach with, from north over east</span>
         <NumberInput

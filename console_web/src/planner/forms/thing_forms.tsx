@@ -10,6 +10,7 @@ import {
   type Thing,
   type Which,
 } from "../model/things";
+import { EarthPlace } from "./earth_place";
 import { FormPart } from "./form";
 import { Remove } from "./remove";
 
@@ -23,6 +24,7 @@ export function OutlineForm({ which, thing }: { which: Which; thing: Thing }) {
           {title}, corner {corner.index + 1}
         </h3>
         <FormPart path={[...cornersPath(which), corner.index]} />
+        <EarthPlace thing={thing} />
         <div class="form-head">
           <button
             type="button"

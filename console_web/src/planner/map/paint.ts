@@ -1,5 +1,6 @@
 // The plan from above, drawn on a canvas: quick at any number of legs, without a graphics card.
 import { colour } from "../../lib/theme";
+import { paintCharts } from "../charts/paint";
 import { paintDial, paintWaves } from "./paint/dial";
 import { paintDock } from "./paint/dock";
 import { paintFan, paintTrack } from "./paint/forecast";
@@ -12,6 +13,7 @@ import { paintStart, paintVehicle, paintWay, paintWaypoints } from "./paint/way"
 import { paintDockZones } from "./paint/zones";
 
 export function paintPlan(c: Ctx, s: Scene): void {
+  paintCharts(c, s);
   paintGrid(c, s);
   paintOutlines(c, s);
   if (s.view.dock) paintDockZones(c, s, s.view.dock);

@@ -2,9 +2,12 @@
 import { untracked, useSignalEffect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { fixed } from "../../lib/format";
+import { theme } from "../../lib/theme";
+import { drawn as charts } from "../charts/charts";
 import { plan } from "../fly/forecast";
 import { forecast as variant } from "../fly/what_if";
 import { onPlanKey } from "../keys";
+import { earthWords, originOf, toEarth } from "../model/earth";
 import { name } from "../model/library";
 import { dragging, mission, selected } from "../model/plan";
 import { NextStep } from "../next_step";
@@ -39,6 +42,8 @@ function scene(extent: Size): Scene {
     vehicle: flownHere(),
     box: box.value,
     measured: measured.value,
+    charts: charts.value,
+    theme: theme.value,
     drawn: drawn.value,
     waving: tool.value === "wave",
     cursor: tool.value === "measure" || drawn.value.length > 0 ? cursorAt.value : undefined,
@@ -176,9 +181,10 @@ function MapTools() {
 function Readout() {
   const at = cursorAt.value;
   if (!at) return null;
+  const origin = originOf(mission.value.raw);
   return (
     <output class="readout num" aria-label="Pointer">
-      N {fixed(at[0], 1)} E {fixed(at[1], 1)} m
+      {origin && `${earthWords(toEarth(origin, at[0], at[1]))}  `}N {fixed(at[0], 1)} E {fixed(at[1], 1)} m
     </output>
   );
 }

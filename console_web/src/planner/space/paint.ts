@@ -5,6 +5,7 @@ import { along, type Ned, niceStep, observationPoint } from "../model/geometry";
 import { outlineThing } from "../model/things";
 import { dockSize, floorOf, type SpaceScene } from "./scene";
 import { type Ctx, type Face, faces, way } from "./strokes";
+import { paintTerrain } from "./terrain";
 
 const MODES: Record<string, string> = { F: "--mode-forward", R: "--mode-reverse", H: "--mode-hover" };
 const FAN_SHOWN = 60;
@@ -12,7 +13,8 @@ const GRID_LINES = 12;
 
 export function paintSpace(c: Ctx, s: SpaceScene): void {
   const floor = floorOf(s.view);
-  paintFloor(c, s, floor);
+  if (s.depths) paintTerrain(c, s, s.depths);
+  else paintFloor(c, s, floor);
   faces(c, s.lens, zoneFaces(s, floor));
   paintFence(c, s, floor);
   if (!s.stale) {

@@ -1,4 +1,5 @@
 // What the plan in space shows.
+import type { ChartShown } from "../charts/charts";
 import type { Flight, Nominal } from "../fly/foresight";
 import type { Size } from "../map/viewport";
 import type { Ned } from "../model/geometry";
@@ -19,6 +20,8 @@ export interface SpaceScene {
   picked: Flight | undefined;
   stale: boolean;
   vehicle: { at: Ned; heading: number } | undefined;
+  /** The depth grid that is looked at. */
+  depths: ChartShown | undefined;
   /** Length of the vehicle, m. */
   length: number;
 }

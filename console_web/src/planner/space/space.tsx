@@ -1,6 +1,7 @@
 // The plan in space, beside the plan from above: the same document, selected and edited in either.
 import { useSignalEffect } from "@preact/signals";
 import { useEffect } from "preact/hooks";
+import { depths } from "../charts/charts";
 import { plan } from "../fly/forecast";
 import { forecast as variant } from "../fly/what_if";
 import { onPlanKey } from "../keys";
@@ -33,6 +34,7 @@ function scene(extent: Size): SpaceScene {
     picked: seed === undefined ? undefined : forecast?.flights.find((flight) => flight.seed === seed),
     stale: !plan.current.value || dragging.value,
     vehicle: here && { at: [here.north, here.east, here.depth], heading: here.heading },
+    depths: depths.value,
     length: vehicle.value?.length_m ?? 1,
   };
 }

@@ -3,6 +3,7 @@
 Plants are drawn by number. Every function flies one and says what the table of outcomes wants of it.
 """
 
+import math
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -11,8 +12,10 @@ import numpy as np
 from bumpless.config.mission import End, Mission, parse_mission
 from bumpless.config.parameters import default_parameters
 from bumpless.contract.enums import APPROACH, HOVER
+from bumpless.feasibility import check_mission
+from bumpless.metrics.outcome import DOCKED
 from bumpless.sim.twin import Twin, new_log, parameters_for, simulate
-from bumpless_paper.study.docks.cases import draw_case, vehicle
+from bumpless_paper.study.docks.cases import Case, draw_case, vehicle
 from bumpless_paper.study.docks.judge import judge
 from bumpless_paper.study.docks.many import fly_case
 from bumpless_paper.study.plants import Plant, draw
@@ -31,6 +34,8 @@ FAR_SIGHTED = "parameters: {guidance: {look_ahead_m: 150}}\n"  # so that heading
 PERIOD_S, BEFORE, AFTER, LAST = 0.05, 600, 800, 100  # cycles
 DEPTH_M, TURN_DEG = 0.5, 20.0
 STAY_S = 600.0
+OFF_BOW_RAD = math.radians(10.0)
+ABOUT_STATION = ("current_not_holdable", "current_hard_to_hold", "long_hover")  # findings
 
 
 @dataclass(frozen=True)
@@ -78,25 +83,43 @@ def start_dip(number: int) -> float:
 
 @dataclass(frozen=True)
 class Stay:
-    """Ten minutes after a docking, in the current that it was docked in."""
+    """Ten minutes after a docking, in the current that it was docked in. NaN where nothing was flown."""
 
-    docked: bool  # else nothing else counts
-    held: bool  # in H at the observation point all the time
+    accepted: bool  # the mission's check has nothing to say about its current; else it isn't flown
+    held: bool  # docked, then in H at the observation point all the time
+    within: float  # share of that time within docked's limits, by the truth
     wander_deg: float  # deviation of the heading from the approach heading, which follows the current
 
 
+def stay_case(number: int) -> Case:
+    """Every other draw is free to turn; the others keep their heading, in a current within 10 deg of it."""
+    if number % 2 == 0:
+        return draw_case(number, "normal", "into")
+    case = draw_case(number, "normal", "fixed")
+    sea, heading = case.mission.environment, math.radians(case.mission.target.heading_deg)
+    speed = math.hypot(*sea.current_ned_mps[:2])
+    off = np.random.Generator(np.random.PCG64([78, number])).uniform(-OFF_BOW_RAD, OFF_BOW_RAD)
+    flow = (-speed * math.cos(heading + off), -speed * math.sin(heading + off), 0.0)
+    return replace(case, mission=replace(case.mission, environment=replace(sea, current_ned_mps=flow)))
+
+
 def stay(number: int) -> Stay:
-    """Dock into the current, then go on for ten minutes."""
-    case = draw_case(number, "normal", "into")
+    """Ask for ten minutes; where that is accepted, dock and go on for ten minutes."""
+    case = stay_case(number)
+    asked = replace(case.mission, end=End(STAY_S))
+    if any(found.code in ABOUT_STATION for found in check_mission(asked, vehicle())):
+        return Stay(False, False, math.nan, math.nan)
     mission = replace(case.mission, end=End(), duration_s=case.mission.duration_s + STAY_S)
     log = simulate(mission, vehicle(), default_parameters(vehicle()), mission.seed, alter=case).log
     in_place = np.flatnonzero(log["held"] >= 10.0)
     if not len(in_place):
-        return Stay(False, False, float("nan"))
+        return Stay(True, False, 0.0, math.nan)
     then = log[in_place[0] : in_place[0] + round(STAY_S / PERIOD_S)]
-    held = bool(((then["mode"] == HOVER) & (then["stage"] == APPROACH)).all())
+    hovers = (then["mode"] == HOVER) & (then["stage"] == APPROACH)
     off = np.angle(np.exp(1j * (then["eta"][:, 5] - then["approach"])))
-    return Stay(True, held, float(np.degrees(np.std(off))))
+    within = hovers & (then["range_true"] <= DOCKED.position_m)
+    within &= np.abs(np.degrees(off)) <= DOCKED.heading_deg
+    return Stay(True, bool(hovers.all()), float(within.mean()), float(np.degrees(np.std(off[hovers]))))
 
 
 def loaded(number: int, load_n: float) -> bool:

@@ -130,7 +130,7 @@ class DockingParameters:
         float, way("Half width of the approach cone at the observation point", "cone_base", 20.0)
     ] = 0.35
     cone_slope: Annotated[float, share("Its growth per metre", "cone_slope")] = 0.15
-    hover_lateral_m: Annotated[float, way("Offset in H that is not waited out", "hover_lateral", 10.0)] = 0.16
+    hover_lateral_m: Annotated[float, way("Offset in H that is not waited out", "hover_lateral", 10.0)] = 0.12
     hover_heading_deg: Annotated[
         float, Number("Heading error in H that is not waited out", "deg", 0.1, 90.0, record="hover_heading")
     ] = 6.0

@@ -1,4 +1,5 @@
 // What the plan from above shows, and where a place of the water is on the canvas.
+import type { Drawn } from "../../charts/charts";
 import type { Flight, Nominal } from "../../fly/foresight";
 import type { Ned } from "../../model/geometry";
 import type { MissionView, Outline } from "../../model/mission";
@@ -21,6 +22,9 @@ export interface Scene {
   stale: boolean;
   vehicle: { north: number; east: number; heading: number } | undefined;
   box: readonly [number, number, number, number] | undefined;
+  /** Charts beneath the plan, the lowest first. */
+  charts: readonly Drawn[];
+  theme: string;
   /** Corners of the outline that is being drawn. */
   drawn: Outline;
   /** The waves' dial is shown though there are none. */
