@@ -114,8 +114,8 @@ class Library:
         """
         old = self.version(name, before)
         new = self.version(name, after) if after else self.get(name).data
-        lines = (data.decode("utf-8", "replace").splitlines() for data in (old, new))
-        return "\n".join(unified_diff(*lines, before, after or "now", lineterm=""))
+        a, b = (data.decode("utf-8", "replace").splitlines() for data in (old, new))
+        return "\n".join(unified_diff(a, b, before, after or "now", lineterm=""))
 
     def history(self, name: str) -> list[Version]:
         """Every saved version, newest first; also of a mission that was deleted. Raises BadName."""
