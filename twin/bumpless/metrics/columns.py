@@ -77,7 +77,8 @@ class Columns:
     @classmethod
     def from_log(cls, log: npt.NDArray[Any], n_u: int) -> Self:
         """From an array of LOG rows; rows outside the mission are left out."""
-        rows = log[np.isin(log["phase"], FLOWN)]
+        flown = np.isin(log["phase"], FLOWN)
+        rows = log if flown.all() else log[flown]  # whole rows are wide: they are not copied without need
         named = log.dtype.names or ()
         absent: Any = np.zeros(len(rows), np.int64)
         columns: dict[str, Any] = {
