@@ -96,6 +96,13 @@ gen-code: $(DONE)/dev
 pictures: $(DONE)/compiled $(DONE)/dev console chromium docs  ## renew the pictures of the docs from a real flight (minutes)
 	@$(PY) -m tests.console.pictures
 
+CASES ?= 10000
+fuzz: $(DONE)/compiled $(DONE)/dev  ## random requests by the interface's own description, as each role (CASES=10000)
+	$(PY) -m tests.fuzz --cases $(CASES) $(ARGS)
+
+audit: $(DONE)/dev  ## known weaknesses of the dependencies, Python's and the console's; says so without a network
+	@$(PY) -m tests.infra.audit
+
 MINUTES ?= 10
 results: $(DONE)/compiled  ## fly the outcomes, reproduce the paper and renew docs/results.md (ARGS="--only outcome")
 	$(BIN)/bumpless reproduce --out build/reproduce $(ARGS)
@@ -110,6 +117,9 @@ bench: $(DONE)/compiled $(DONE)/dev $(DONE)/bench console  ## measure every spee
 
 bench-live: $(DONE)/compiled $(DONE)/dev console  ## a live node beside a loaded server (MINUTES=10)
 	$(PY) -m tests.bench.live_node --minutes $(MINUTES) --streams 5
+
+bench-consoles: $(DONE)/compiled $(DONE)/dev console  ## twenty consoles at 25 Hz, two stalled (MINUTES=15)
+	$(PY) -m tests.bench.consoles --minutes $(MINUTES)
 
 format: $(DONE)/dev  ## let ruff and biome format and sort imports
 	$(BIN)/ruff check --select I --fix .
@@ -176,5 +186,5 @@ $(DONE)/compiled: $(DONE)/project $(TWIN)
 	@$(PY) -m bumpless.sim.warm_up missions/docking.yaml
 	@touch $@
 
-.PHONY: help pictures run test test-fast test-console check check-style check-imports check-types check-test-types check-console check-containers check-gen \
-	check-leaks check-results check-figures check-docs check-declared gen gen-code docs release results bench bench-live format console chromium lock clean
+.PHONY: help audit fuzz pictures run test test-fast test-console check check-style check-imports check-types check-test-types check-console check-containers check-gen \
+	check-leaks check-results check-figures check-docs check-declared gen gen-code docs release results bench bench-consoles bench-live format console chromium lock clean

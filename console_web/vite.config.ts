@@ -34,7 +34,14 @@ export default defineConfig({
   base: "./",
   plugins: [compressed()],
   oxc: { jsx: { runtime: "automatic", importSource: "preact" } },
-  build: { target: "es2022", outDir: "dist", emptyOutDir: true, assetsInlineLimit: 0, sourcemap: false },
+  build: {
+    target: "es2022",
+    outDir: "dist",
+    emptyOutDir: true,
+    assetsInlineLimit: 0,
+    sourcemap: false,
+    rolldownOptions: { input: ["index.html", "login.html"] },
+  },
   test: { include: ["src/**/*.test.ts"], css: true },
   server: {
     proxy: {

@@ -2,9 +2,10 @@
 
 from pathlib import Path
 
-from docs.generate import campaigns, cli, contract, equations, python_face, rest, settings, tuning
+from docs.generate import access, campaigns, cli, contract, equations, python_face, rest, settings, tuning
 
 MADE = {
+    "reference/access.md": access.page,
     "reference/campaign.md": campaigns.page,
     "reference/cli.md": cli.page,
     "reference/contract.md": contract.page,

@@ -9,10 +9,11 @@ from docs.generate.markdown import NOTE, cell, code, table
 
 HEAD = """# HTTP interface
 
-What the console itself uses. Requests need the session cookie that `GET /` hands out (and the token once, if
-one is set), and a request that changes something must come from the same origin. A refused request answers
-with `{"detail": "...", "problems": [...]}`; each problem names field, value and rule. The running server
-gives this as OpenAPI at `/openapi.json`.
+What the console itself uses, and scripts may. Where people log in, a request needs the session cookie that
+`POST /api/login` gives, or a token: `Authorization: Bearer bmp_...` (`bumpless user token`). Which role each
+route takes: [Who may do what](access.md). A request that changes something must come from the same origin. A
+refused request answers with `{"detail": "...", "problems": [...]}`; each problem names field, value and rule.
+The running server gives this as OpenAPI at `/openapi.json`.
 
 """
 STREAM = """## Stream

@@ -3,9 +3,10 @@
 import json
 import logging
 import os
+import secrets
 import threading
 from collections import deque
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any, Protocol
@@ -44,8 +45,8 @@ class Audit:
     A disk that takes no more does not stop a command: `trouble` says so, and the newest lines stay in memory.
     """
 
-    def __init__(self, path: Path) -> None:
-        self.path = path
+    def __init__(self, path: Path, heard: Callable[[dict[str, Any]], None] = lambda entry: None) -> None:
+        self.path, self._heard = path, heard
         self.trouble = ""
         self._lock = threading.Lock()
         self._recent: deque[dict[str, Any]] = deque(maxlen=SHOWN)
@@ -67,19 +68,39 @@ class Audit:
             if isinstance(entry, dict):
                 self._recent.append(entry)
 
+    def note(self, verb: str, author: str, address: str, details: Mapping[str, object]) -> None:
+        """Note what was done here, without the vehicle: a log-in, an account, control."""
+        self._keep(
+            {
+                "id": secrets.token_urlsafe(12),
+                "verb": verb,
+                "author": author,
+                "address": address,
+                "details": dict(details),
+                "answer": "accepted",
+                "said": "",
+                "took_s": 0.0,
+            }
+        )
+
     def add(self, asked: Asked, answer: Answered | None, said: str, took_s: float) -> None:
         """Note one command. `answer` is None when the vehicle gave none."""
-        entry = {
-            "time": datetime.now(UTC).isoformat(timespec="milliseconds"),
-            "id": asked.id,
-            "verb": asked.verb,
-            "author": asked.author,
-            "address": asked.address,
-            "details": dict(asked.details),
-            "answer": "none" if answer is None else ("accepted" if answer.accepted else "refused"),
-            "said": said,
-            "took_s": round(took_s, 3),
-        }
+        self._keep(
+            {
+                "id": asked.id,
+                "verb": asked.verb,
+                "author": asked.author,
+                "address": asked.address,
+                "details": dict(asked.details),
+                "answer": "none" if answer is None else ("accepted" if answer.accepted else "refused"),
+                "said": said,
+                "took_s": round(took_s, 3),
+            }
+        )
+
+    def _keep(self, told: dict[str, Any]) -> None:
+        entry = {"time": datetime.now(UTC).isoformat(timespec="milliseconds"), **told}
+        self._heard(entry)
         with self._lock:
             self._recent.append(entry)
             try:

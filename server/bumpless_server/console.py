@@ -4,18 +4,25 @@ It has threads of its own and knows no event loop: a stalled web server cannot h
 """
 
 import contextlib
+import json
 import logging
 import secrets
 import threading
 import time
 from concurrent.futures import Future
 from pathlib import Path
+from typing import Any
 
 from bumpless.config.vehicle import Vehicle, VehicleError, parse_vehicle
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.version import software_version
-from bumpless.runs.names import COMPLETE, DESCRIPTION
+from bumpless.runs.adopt import NotOurs, adopt
+from bumpless.runs.names import COMPLETE, DESCRIPTION, ENDING
+from bumpless.runs.records import read_records
 from bumpless.runs.view import View
+from bumpless_server.access.accounts import Accounts, AccountsError
+from bumpless_server.access.lease import Lease
+from bumpless_server.access.sessions import Sessions
 from bumpless_server.alarms.limits import read_limits
 from bumpless_server.alarms.watch import Watch
 from bumpless_server.audit import Audit
@@ -31,26 +38,31 @@ from bumpless_server.live.dispatch import Dispatcher
 from bumpless_server.live.freshness import freshness
 from bumpless_server.live.heart import Heart
 from bumpless_server.live.intake import Intake
-from bumpless_server.live.open_bus import bus_notice
-from bumpless_server.live.sample import EVENT, Sample
+from bumpless_server.live.sample import AUDIT, CONTROL, EVENT, Sample
 from bumpless_server.live.speaker import Speaker
 from bumpless_server.live.state import State
 from bumpless_server.live.stream import Stream
 from bumpless_server.live.tally import KINDS, Tally, printable
 from bumpless_server.live.tuned import Tuned
+from bumpless_server.plan.charts.store import Charts
 from bumpless_server.plan.library import Library
 from bumpless_server.plan.missions import Missions
 from bumpless_server.plan.presets import Presets
 from bumpless_server.runs.catalogue import Catalogue
 from bumpless_server.runs.disk_budget import DiskBudget
+from bumpless_server.runs.errands import Errands
 from bumpless_server.runs.recorder import Recorder
 from bumpless_server.runs.replays import Replays
 from bumpless_server.runs.shelf import Shelf
+from bumpless_server.runs.watch import FolderWatch
+from bumpless_server.scene.ghosts import Ghosts
 from bumpless_server.settings import Settings
 from bumpless_server.vehicle_process.node_command import node_command
 from bumpless_server.vehicle_process.supervise import Supervisor
 from bumpless_server.views.foxglove import Foxglove
 from bumpless_server.views.ready import envelopes_ready
+from bumpless_server.what_if.desk import WhatIfDesk
+from bumpless_server.what_if.revisions import Revisions
 
 log = logging.getLogger(__name__)
 
@@ -60,7 +72,7 @@ _LEVELS = {pb.SEVERITY_WARNING: logging.WARNING, pb.SEVERITY_ALARM: logging.ERRO
 
 
 class Console:
-    """One vehicle's console. `start` raises DataDirError or BusError with one line for the operator."""
+    """One vehicle's console. `start` raises DataDirError, BusError or AccountsError with one line to read."""
 
     def __init__(self, settings: Settings) -> None:
         self.settings = settings
@@ -70,11 +82,22 @@ class Console:
         self.missions = Missions(self.data.missions, vehicle=self.vehicle)
         self.library = Library(self.missions, self.data)
         self.presets = Presets(self.data.presets)
-        self.findings = Findings()
-        self.foresight = Foresight(self._present)  # on the web's loop, which ends it
+        self.charts = Charts(self.data.charts)
+        self.findings = Findings(self.charts)
+        self.foresight = Foresight(self._present, charts=self.data.charts)  # on the web's loop, which ends it
         self.catalogue = Catalogue(self.data.runs, self.data.index)
         self.replays = Replays()
+        self.errands = Errands(self.data.scratch)
+        self.what_if = WhatIfDesk()  # on the web's loop, which ends it
+        self.ghosts = Ghosts()  # for the scene
+        self.revisions = Revisions(self.data.revisions)
         self.shelf = Shelf(self.data.words, self.data.run_bin)
+        self.budget = DiskBudget(
+            self.data.runs,
+            settings.runs_max_bytes,
+            settings.disk_free_bytes,
+            *([self._prune] if settings.runs_prune else []),
+        )
         self.recorder = Recorder(
             self.data.runs,
             self.say,
@@ -82,23 +105,24 @@ class Console:
             _views,
             settings.recorder_queue_messages,
             settings.recorder_queue_bytes,
-            DiskBudget(
-                self.data.runs,
-                settings.runs_max_bytes,
-                settings.disk_free_bytes,
-                *([self._prune] if settings.runs_prune else []),
-            ),
+            self.budget,
         )
         self.alarms = Watch(
             lambda: read_limits(self.data.limits / f"{settings.vehicle_id}.toml"),
             self.data.alarms,
             self._tell,
+            self.data.runs,
         )
         self.stream = Stream(self.state)
+        self.lease = Lease(self._control, self.say)
+        self.accounts = Accounts(self.data.access)
+        self.sessions = Sessions(
+            self.data.access / "sessions.json", self.accounts, settings.session_hours * 3600.0
+        )
         self.tally, self.clock, self.speaker = Tally(self._set_aside), VehicleClock(), Speaker()
         self.dispatcher = Dispatcher(
             self.state,
-            self.status,
+            self._on_time,
             self._on_link,
             Intake(self.tally, self.speaker, self.clock, self._rival),
             self.recorder.offer,
@@ -112,9 +136,9 @@ class Console:
             self.speaker,
             self.tally,
             self._rival,
+            settings.zenoh_config,
         )
-        self.bus_notice = bus_notice(settings.zenoh_listen, settings.zenoh_connect)
-        self.audit = Audit(self.data.audit)
+        self.audit = Audit(self.data.audit, self._audited)
         self.desk = Desk(
             self.bus.command,
             lambda: self.speaker.session,
@@ -143,8 +167,11 @@ class Console:
         with contextlib.ExitStack() as stack:
             self.data.open()
             stack.callback(self.data.close)
+            self._let_somebody_in()
             self.audit.open()
             self.shelf.open()
+            self.errands.open()
+            self.revisions.open()
             self.catalogue.open()
             stack.callback(self.catalogue.close)
             stack.callback(self.replays.close)
@@ -165,13 +192,33 @@ class Console:
             indexing = threading.Thread(target=self._index, name="catalogue", daemon=True)
             indexing.start()
             stack.callback(indexing.join)
+            watch = FolderWatch(self.data.runs, self._found)
+            watch.start()
+            stack.callback(watch.stop)
             if self.settings.manage_node:
                 stack.callback(self.supervisor.stop)
                 self.supervisor.start()
-            if self.bus_notice:
-                self.say(pb.SEVERITY_WARNING, "bus_open", self.bus_notice, {})
+            if self.bus.notice:
+                self.say(pb.SEVERITY_WARNING, "bus_open", self.bus.notice, {})
             self._stop = stack.pop_all()
         self.started = True
+
+    def _let_somebody_in(self) -> None:
+        """The first account, where a file has its password; without any, nobody could log in."""
+        path = self.settings.first_password_file
+        if not self.accounts.any() and path is not None:
+            try:
+                password = path.read_text(encoding="utf-8").strip()
+                self.accounts.add("engineer", "engineer", password)
+            except (OSError, ValueError) as error:
+                raise AccountsError(f"no first account by {path}: {error}") from error
+        if self.accounts.trouble:
+            raise AccountsError(self.accounts.trouble)
+        if self.settings.accounts_needed and not self.accounts.any():
+            raise AccountsError(
+                "nobody could log in: make an account with `bumpless user add NAME --role engineer "
+                f"--data-dir {self.settings.data_dir}`"
+            )
 
     def stop(self) -> None:
         """End the managed node, close the file being written and leave the bus."""
@@ -198,7 +245,7 @@ class Console:
             node_managed=self.settings.manage_node,
             topics=freshness(self.state),
             clock_offset_s=self.clock.offset_s,
-            bus_notice=self.bus_notice,
+            bus_notice=self.bus.notice,
             set_aside=self.tally.total,
         )
 
@@ -220,7 +267,12 @@ class Console:
 
     def left_out(self) -> list[tuple[str, str, str]]:
         """(folder, name, reason) of what lies in the data folder and stands in no list."""
-        folders = {"runs": self.catalogue, "missions": self.missions, "presets": self.presets}
+        folders = {
+            "runs": self.catalogue,
+            "missions": self.missions,
+            "presets": self.presets,
+            "charts": self.charts,
+        }
         return [
             (folder, name, reason)
             for folder, kept in folders.items()
@@ -279,6 +331,26 @@ class Console:
         with contextlib.suppress(Busy, RuntimeError):
             self.desk.submit(Command("set_parameters", parameters, author="server")).add_done_callback(told)
 
+    def _on_time(self) -> pb.ServerStatus:
+        """Twice a second, on the dispatcher's thread."""
+        self.lease.tick()
+        return self.status()
+
+    def _control(self, state: pb.ControlHolder) -> None:
+        payload = state.SerializeToString()
+        self._tell(Sample(CONTROL, state.DESCRIPTOR.full_name, payload, from_vehicle=False))
+
+    def _audited(self, entry: dict[str, Any]) -> None:
+        """Each line of the audit also goes into the log of the run that it is about."""
+        told = pb.AuditEntry(
+            time_ns=time.time_ns(),
+            details_json=json.dumps(entry["details"]),
+            **{name: entry[name] for name in ("id", "verb", "author", "address", "answer", "said", "took_s")},
+        )
+        self.recorder.note(
+            Sample(AUDIT, told.DESCRIPTOR.full_name, told.SerializeToString(), from_vehicle=False)
+        )
+
     def _tell(self, sample: Sample) -> None:
         self.dispatcher.sample(sample)
 
@@ -315,6 +387,22 @@ class Console:
             log.exception("the runs could not be indexed")
         finally:
             self.indexed.set()
+
+    def _found(self, names: set[str]) -> None:
+        """Somebody put logs into the folder of runs, or took some away."""
+        if not self.indexed.is_set():
+            return
+        before = {row.summary.id for row in self.catalogue.rows()}
+        for path in (self.data.runs / name for name in names - {f"{run}{ENDING}" for run in before}):
+            if path.is_file() and path != self._busy() and not read_records(path).run:
+                with contextlib.suppress(NotOurs, OSError):  # it is listed as what it is
+                    adopt(path, path)
+        self.catalogue.refresh(busy=self._busy)
+        new = {row.summary.id for row in self.catalogue.rows()} - before
+        for run in sorted(new & {Path(name).stem for name in names}):
+            self.say(
+                pb.SEVERITY_INFO, "run_found", f"Run {run} was put into the folder of runs", {"run": run}
+            )
 
     def _busy(self) -> Path | None:
         run = self.recorder.recording

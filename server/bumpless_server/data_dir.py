@@ -23,13 +23,18 @@ class DataDir:
         self.drafts = root / "mission_drafts"
         self.marks = root / "mission_marks.json"
         self.presets = root / "presets"
+        self.charts = root / "charts"
         self.limits = root / "limits"
         self.run_bin = root / "run_bin"
         self.words = root / "words.json"
+        self.scratch = root / "scratch"
+        self.revisions = root / "revisions.jsonl"
         self.alarms = root / "alarms.json"
         self.index = root / "index.sqlite"
         self.node_record = root / "node.json"
+        self.flight = root / "flight.json"  # the node's own: there while something flies
         self.audit = root / "audit.jsonl"
+        self.access = root / "access"  # accounts, tokens and sessions: for its owner's eyes
         self.node_log = root / "node.log"
         self._lock: IO[str] | None = None
 
@@ -37,7 +42,7 @@ class DataDir:
         """Make the folders and take the lock. Raises DataDirError."""
         try:
             made = (self.runs, self.missions, self.versions, self.bin, self.drafts, self.presets, self.limits)
-            for folder in made:
+            for folder in (*made, self.charts):
                 folder.mkdir(parents=True, exist_ok=True)
             lock = (self.root / "lock").open("w")
         except OSError as error:

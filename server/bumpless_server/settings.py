@@ -7,16 +7,22 @@ import shlex
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
-from pydantic import Field, SecretStr, ValidationError, ValidationInfo, field_validator, model_validator
+from pydantic import Field, ValidationError, ValidationInfo, field_validator, model_validator
 from pydantic_settings import BaseSettings, NoDecode, SettingsConfigDict
 
 from bumpless.contract import keys
 
 PREFIX = "BUMPLESS_"
 LOCAL_BUS = "tcp/127.0.0.1:7447"
-LISTS = ("zenoh_listen", "zenoh_connect", "allowed_hosts", "node_command")  # may be empty
+LISTS = ("zenoh_listen", "zenoh_connect", "allowed_hosts", "proxies", "node_command")  # may be empty
 # Read by other parts: the tests, the compiler cache, the build.
 NOT_SETTINGS = frozenset({"BUMPLESS_CHROMIUM", "BUMPLESS_CACHE_DIR", "BUMPLESS_SKIP_CONSOLE"})
+
+GONE = {
+    "BUMPLESS_TOKEN": "is gone: people have accounts (bumpless user add NAME --role engineer), scripts have "
+    "tokens (bumpless user token NAME); the old secret may be the first password "
+    "(BUMPLESS_FIRST_PASSWORD_FILE)"
+}
 
 Names = Annotated[tuple[str, ...], NoDecode]  # written "a,b" in the environment
 Command = Annotated[tuple[str, ...], NoDecode]  # written as in a shell
@@ -32,7 +38,7 @@ class Settings(BaseSettings):
     model_config = SettingsConfigDict(env_prefix=PREFIX, extra="forbid", frozen=True)
 
     host: str = Field(
-        default="127.0.0.1", description="address to serve on; only loopback is open without a token"
+        default="127.0.0.1", description="address to serve on; only loopback is open without accounts"
     )
     port: int = Field(default=8080, ge=0, le=65535, description="port to serve on; 0 takes a free one")
     data_dir: Path = Field(default=Path("data"), description="runs, uploaded missions and presets")
@@ -46,11 +52,35 @@ class Settings(BaseSettings):
         description="endpoints where the server's bus session listens; none where it connects, by default",
     )
     zenoh_connect: Names = Field(default=(), description="endpoints the server's bus session connects to")
+    zenoh_config: Path | None = Field(
+        default=None,
+        description="Zenoh configuration of the server's bus session, such as `bumpless keys` makes;"
+        " instead of the endpoints",
+    )
+    node_zenoh_config: Path | None = Field(
+        default=None, description="the same for the vehicle node that the server starts"
+    )
     scene: Literal["full", "light", "off"] = Field(
         default="full", description="the 3-D scene; light draws fewer polygons for machines without a GPU"
     )
-    token: SecretStr | None = Field(
-        default=None, description="shared secret a browser must give once; needed beyond loopback"
+    tls_cert: Path | None = Field(
+        default=None, description="certificate chain (PEM) to serve HTTPS with; needs tls_key"
+    )
+    tls_key: Path | None = Field(default=None, description="private key (PEM) of tls_cert")
+    proxies: Names = Field(
+        default=(),
+        description="addresses or networks of reverse proxies that end TLS and say so (X-Forwarded-Proto)",
+    )
+    plain_http: bool = Field(
+        default=False,
+        description="serve beyond loopback without TLS: only where the port is published to loopback alone",
+    )
+    session_hours: float = Field(
+        default=12.0, gt=0, le=720, description="a login that is not used for so long is over"
+    )
+    first_password_file: Path | None = Field(
+        default=None,
+        description="file with the password of the account `engineer`, made when there is no account yet",
     )
     allowed_hosts: Names = Field(
         default=(), description="further host names the console is reached by, such as a reverse proxy's"
@@ -79,8 +109,22 @@ class Settings(BaseSettings):
         ge=1,
         description="largest body of a request: mission file, preset, another program's mission",
     )
+    import_bytes: int = Field(
+        default=2_000_000_000, ge=1, description="largest log that may be brought into the list of runs"
+    )
 
-    @field_validator("zenoh_listen", "zenoh_connect", "allowed_hosts", mode="before")
+    tiles: str = Field(
+        default="",
+        pattern=r"^$|^https?://[^\s\"'<>]*\{z\}[^\s\"'<>]*$",
+        max_length=400,
+        description="address of a base map's tiles under plans, with {z}, {x} and {y}; browsers then fetch "
+        "them from there; none: no tiles",
+    )
+    tiles_attribution: str = Field(
+        default="", max_length=200, description="what the tiles' maker wants to be read on the map"
+    )
+
+    @field_validator("zenoh_listen", "zenoh_connect", "allowed_hosts", "proxies", mode="before")
     @classmethod
     def _split_names(cls, value: Any) -> Any:
         return (
@@ -99,8 +143,20 @@ class Settings(BaseSettings):
     @model_validator(mode="after")
     def _one_bus_is_enough(self) -> "Settings":
         """A router on this machine has our port already; where we connect to one, nobody connects to us."""
-        if self.zenoh_connect and "zenoh_listen" not in self.model_fields_set:
+        if (self.zenoh_connect or self.zenoh_config) and "zenoh_listen" not in self.model_fields_set:
             object.__setattr__(self, "zenoh_listen", ())
+        return self
+
+    @model_validator(mode="after")
+    def _a_configuration_says_it_all(self) -> "Settings":
+        """Two sources for one session would contradict each other, and the node must not borrow our keys."""
+        if self.zenoh_config is None:
+            return self
+        if self.zenoh_listen or self.zenoh_connect:
+            raise ValueError("zenoh_config says all of the bus: leave zenoh_listen and zenoh_connect out")
+        if self.manage_node and self.node_zenoh_config is None and not self.node_command:
+            raise ValueError("with zenoh_config the node needs keys of its own: give node_zenoh_config,"
+                             " or manage_node=false")  # fmt: skip
         return self
 
     @field_validator("node_command", mode="before")
@@ -113,12 +169,25 @@ class Settings(BaseSettings):
     def _vehicle_is_nameable(cls, value: str) -> str:
         return value if value.endswith(".toml") else keys.check_vehicle_id(value)
 
-    @field_validator("token")
+    @field_validator("proxies")
     @classmethod
-    def _token_is_long(cls, value: SecretStr | None) -> SecretStr | None:
-        if value is not None and len(value.get_secret_value()) < 8:
-            raise ValueError("must have at least 8 characters")
+    def _proxies_are_addresses(cls, value: tuple[str, ...]) -> tuple[str, ...]:
+        for one in value:
+            ipaddress.ip_network(one)  # "*" would let anybody say that its connection is safe
         return value
+
+    @model_validator(mode="after")
+    def _secrets_stay_secret(self) -> "Settings":
+        """Passwords and cookies travel beyond this machine only where nobody can read them."""
+        if (self.tls_cert is None) != (self.tls_key is None):
+            raise ValueError("tls_cert and tls_key belong together: give both or none")
+        if not (self.loopback or self.tls_cert or self.proxies or self.plain_http):
+            raise ValueError(
+                f"beyond loopback ({self.host}) passwords need TLS: give tls_cert and tls_key, or proxies "
+                "(the addresses of a reverse proxy that ends TLS), or plain_http=true where the port is "
+                "published to loopback alone"
+            )
+        return self
 
     @field_validator("runs_prune")
     @classmethod
@@ -135,6 +204,11 @@ class Settings(BaseSettings):
         from bumpless.config.vehicle import load_vehicle
 
         return load_vehicle(self.vehicle).id
+
+    @property
+    def accounts_needed(self) -> bool:
+        """True when others than this machine's people can reach the server."""
+        return not self.loopback or bool(self.proxies) or bool(self.allowed_hosts)
 
     @property
     def loopback(self) -> bool:
@@ -156,6 +230,9 @@ def load_settings(**given: Any) -> Settings:
     lines = []
     for variable in sorted(os.environ):
         if variable.upper().startswith(PREFIX) and variable.upper() not in known.keys() | NOT_SETTINGS:
+            if variable.upper() in GONE:
+                lines.append(f"{variable}: {GONE[variable.upper()]}")
+                continue
             near = difflib.get_close_matches(variable.upper(), known, n=1)
             lines.append(f"{variable}: no such setting" + (f"; did you mean {near[0]}?" if near else ""))
     if lines:
@@ -169,6 +246,5 @@ def load_settings(**given: Any) -> Settings:
                 continue
             name = str(fault["loc"][0])
             source = name if given.get(name) is not None else PREFIX + name.upper()
-            shown = "" if name == "token" else f" = {fault['input']!r}"
-            lines.append(f"{source}{shown}: {fault['msg'].removeprefix('Value error, ')}")
+            lines.append(f"{source} = {fault['input']!r}: {fault['msg'].removeprefix('Value error, ')}")
         raise SettingsError("\n".join(lines)) from error

@@ -9,7 +9,8 @@ from scipy.stats import kstest
 
 from bumpless.campaign.distributions import Choice, LogUniform, Normal, Uniform
 from bumpless.campaign.drawn import drawn_mission, relative_current
-from bumpless.campaign.draws import draw, flight_seed, share
+from bumpless.campaign.draws import draw, even_draw, flight_seed, share
+from bumpless.campaign.even import even_shares
 from bumpless.campaign.mission_text import mission_text
 from bumpless.campaign.prepared import Prepared
 from bumpless.campaign.quantities import QUANTITIES
@@ -38,6 +39,27 @@ def test_streams_are_independent():
     assert abs(np.corrcoef(shares.T)[0, 1]) < 0.05
     assert abs(np.corrcoef(shares[:-1, 0], shares[1:, 0])[0, 1]) < 0.05
     assert len({flight_seed(5, n) for n in range(4000)}) == 4000
+
+
+def test_even_shares_fill_the_space_and_are_always_the_same():
+    """Protects: a fan is the same whenever it is flown, and any part of it leaves no corner out."""
+    points = np.array([even_shares(9, n, 3) for n in range(2048)])
+    assert even_shares(9, 1500, 3).tolist() == points[1500].tolist()
+    assert not np.allclose(points[:100], [even_shares(10, n, 3) for n in range(100)])
+    for part in (points[:64], points[64:192], points[1000:1256]):
+        bins, _ = np.histogram(part[:, 1], 8, (0.0, 1.0))
+        assert bins.min() > 0.7 * len(part) / 8  # at random a bin holds 8 +- 2.6 of 64
+    assert ((points >= 0.0) & (points < 1.0)).all()
+    assert abs(np.corrcoef(points.T)[0, 2]) < 0.05
+
+
+def test_even_draws_are_of_the_same_distributions():
+    """Protects: an even fan tells the chance of the same sea and the same vehicle, only better."""
+    table = {"mass": Uniform(uniform=(0.9, 1.1)), "lag": LogUniform(loguniform=(0.5, 2.0))}
+    mass = np.array([even_draw(table, 4, n)["mass"] for n in range(256)], float)
+    assert abs(mass.mean() - 1.0) < 0.001 and 0.9 <= mass.min() < 0.902 and 1.098 < mass.max() <= 1.1
+    assert even_draw(dict(reversed(table.items())), 4, 7) == even_draw(table, 4, 7)
+    assert even_draw({}, 4, 7) == {}
 
 
 def test_distributions_follow_their_names():

@@ -5,6 +5,7 @@ No physics: each value is a plain function of mission time, so that a test knows
 
 import math
 from collections.abc import Sequence
+from typing import Any
 
 from google.protobuf.message import Message
 
@@ -168,6 +169,7 @@ def description() -> Messages:
         control_period_s=PERIOD_S,
         actuator_names=ACTUATORS,
         session_id="one",
+        sha256="0" * 64,
     )
     health = pb.Health(stamp=stamp(0), cycles=1000, lateness_p99_ms=0.4)
     return [("tlm/description", about), ("tlm/health", health)]
@@ -228,11 +230,17 @@ def event(time_s: float, severity: pb.Severity, code: str, text: str, **details:
     ]
 
 
+def held_by(holder: str = "0123456789ab", name: str = "Browser 0123", **more: Any) -> Messages:
+    """Who holds control: by default the browser that looks."""
+    return [("server/control", pb.ControlHolder(holder=holder, holder_name=name, since_ns=START_NS, **more))]
+
+
 def hello(phase: pb.MissionPhase = pb.MISSION_PHASE_IDLE) -> Messages:
     """All that a browser is told on connecting to a vehicle that waits for a mission."""
     return [
         *description(),
         *server_status(),
+        *held_by(),
         *mission_status(0.0, phase),
         *parameters_status(parameters(), 1),
         *cycle(0.0, phase),

@@ -21,6 +21,7 @@ def default_replies(server: ContractServer) -> None:
     server.reply("GET", "fields/mission", field_catalogue("mission"))
     server.reply("GET", "mission-templates", [])
     server.reply("GET", "drafts", [])
+    server.reply("GET", "charts", [])
 
 
 def forecast(
@@ -40,6 +41,8 @@ def forecast(
         "saturation": [0.2, 0.9, 1.0, 0.4],
         "worst_actuator": ["n_p"] * 4,
         "margin": [],
+        "floor_m": [],
+        "clearance_m": [],
     }
     flown = [
         {
@@ -51,6 +54,7 @@ def forecast(
             "north_m": north,
             "east_m": [0.0, 0.1, 0.1, 0.0],
             "depth_m": [2.0] * 4,
+            "clearance_m": None,
         }
         for i in range(of)
     ]
@@ -76,13 +80,14 @@ def forecast(
         "arrival_s": 40.0,
         "energy_j": 55.0,
         "length_m": 22.6,
+        "least_clearance_m": None,
         "sha256": "0" * 64,
         "seed": 1,
         "digest": "",
         "elapsed_ms": 40.0,
     }
     return [
-        {"kind": "findings", "findings": findings or []},
+        {"kind": "findings", "findings": findings or [], "floor": None},
         nominal,
         {"kind": "fan", "flights": flown, "done": of, "of": of, "chance": {**chance, "counts": counts}},
         {"kind": "done"},
@@ -112,8 +117,9 @@ def stored(name: str, text: str, **more: Any) -> dict[str, Any]:
 
 
 def at(page: Page, north: float, east: float) -> tuple[float, float]:
-    """Where a place of the plan is on the page, px."""
-    canvas = page.get_by_label("Plan from above", exact=True).locator("canvas")
+    """Where a place of the plan is on the page, px, once what was done before is drawn."""
+    page.evaluate("new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn)))")
+    canvas = page.get_by_role("application", name="Plan from above").locator("canvas")
     x, y, scale, turn = map(float, (canvas.get_attribute("data-frame") or "").split())
     assert turn == 0.0
     box = canvas.bounding_box()
@@ -137,12 +143,20 @@ def drag(page: Page, start: tuple[float, float], end: tuple[float, float]) -> No
 
 def drag_current(page: Page, right: float, down: float) -> None:
     """Drag the arrow of the current's dial, px."""
-    box = page.get_by_label("Plan from above", exact=True).locator("canvas").bounding_box()
+    box = page.get_by_role("application", name="Plan from above").locator("canvas").bounding_box()
     assert box is not None
     page.mouse.move(box["x"] + 62, box["y"] + 66)
     page.mouse.down()
     page.mouse.move(box["x"] + 62 + right, box["y"] + 66 + down, steps=4)
     page.mouse.up()
+
+
+def draw_zone(page: Page, *corners: tuple[float, float]) -> None:
+    """A keep-out zone, corner by corner."""
+    page.get_by_role("button", name="Keep out").click()
+    for north, east in corners:
+        click(page, north, east)
+    page.get_by_role("status", name="Next step").get_by_role("button", name="Close it").click()
 
 
 def draw(page: Page) -> None:

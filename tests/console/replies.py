@@ -6,11 +6,14 @@ from typing import Any
 from google.protobuf.json_format import MessageToDict
 
 from bumpless.contract import bumpless_pb2 as pb
+from bumpless_server.alarms.limits import Limits
+from bumpless_server.live.tally import KINDS
 from tests.console import flight
 from tests.console.contract_server import ContractServer
 
 MISSIONS = Path(__file__).parents[2] / "missions"
 RUN_ID = "20260101T000000Z-docking-ab12"
+CLIENT = "0123456789ab"
 OLD_RUN_ID = "20251231T100000Z-docking_current-77aa"
 
 
@@ -117,10 +120,17 @@ def mission(name: str, title: str, summary: str, duration_s: float) -> dict[str,
     }
 
 
+def me(role: str = "engineer", accounts: bool = False, name: str = "") -> dict[str, Any]:
+    """Who the browser is: of the console's own tests always `CLIENT`."""
+    shown = name or f"Browser {CLIENT[:4]}"
+    return {"accounts": accounts, "name": name, "shown": shown, "role": role, "client": CLIENT}
+
+
 def default_replies(server: ContractServer) -> None:
     """Missions, ranges, presets and runs of a server in use."""
     docking = mission("docking.yaml", "Docking flight", "Cruise, brake and hover before the target.", 90.0)
     current = mission("docking_current.yaml", "Docking in a current", "The same with a cross current.", 120.0)
+    server.reply("GET", "me", me())
     server.reply("GET", "missions", [docking, current])
     geometry = {
         "path_ned_m": [[0, 0, 2.0], [10, 0, 2.0], [20, 4, 2.3], [24.5, 6, 2.3]],
@@ -135,6 +145,10 @@ def default_replies(server: ContractServer) -> None:
         text = (MISSIONS / entry["name"]).read_text()
         server.reply("GET", f"missions/{entry['name']}", {**entry, **geometry, "yaml": text})
     server.reply("GET", "vehicle", vehicle("ts100", "TS-100", ["X", "Z", "K", "M", "N"]))
+    server.reply("GET", "vehicle/reach", reach())
+    server.reply("GET", "alarms/limits", Limits().model_dump())
+    server.reply("GET", "alarms", {"open": [], "history": []})
+    server.reply("GET", "fields/parameters", [])
     active = as_json(flight.parameters())
     confirmed = {"active": active, "defaults": active, "revision": 1, "sha256": "0" * 64, "ranges": ranges()}
     server.reply("GET", "parameters", confirmed)
@@ -147,7 +161,63 @@ def default_replies(server: ContractServer) -> None:
     server.reply("GET", "runs", [run(OLD_RUN_ID, "docking_current", "complete", "duration reached", "held")])
     server.reply("GET", f"runs/{OLD_RUN_ID}/metrics", as_json(metrics()))
     server.reply("GET", f"runs/{OLD_RUN_ID}/log.mcap", b"\x89MCAP0\r\n")
+    server.reply("GET", "diagnostics", diagnostics())
+    server.reply("GET", "audit", audit())
+    for people in ("users", "sessions", "tokens"):
+        server.reply("GET", people, [])
     server.reply("POST", "scene/camera", {"view": "top", "viewers": 1})
+
+
+def diagnostics() -> dict[str, Any]:
+    """Some messages were odd, one file is left out."""
+    kinds = [("undecodable", 3, "2026-01-01T00:00:00Z", "tlm/control"), ("late_command", 0, None, "")]
+    return {
+        "counted": [
+            {"kind": kind, "meaning": KINDS[kind], "count": count, "last": last, "example": example}
+            for kind, count, last, example in kinds
+        ],
+        "topics": [{"topic": "tlm/navigation", "age_s": 0.1, "fresh_for_s": 0.5, "late": False}],
+        "left_out": [{"folder": "runs", "name": "odd.mcap", "reason": "is a folder"}],
+        "clock_offset_s": 0.012,
+        "vehicle_session": "ab12",
+        "bus_notice": "",
+        "audit_trouble": "",
+    }
+
+
+def audit() -> list[dict[str, Any]]:
+    """Ada tuned and started."""
+    common = {"author": "ada", "address": "10.0.0.1", "answer": "accepted", "said": "", "took_s": 0.1}
+    start = {
+        "time": "2026-01-01T00:00:02Z",
+        "id": "2",
+        "verb": "start",
+        "details": {"mission": "docking.yaml"},
+    }
+    changes = {"changes": {"hover.lambda": [0.1, 0.2]}}
+    tune = {"time": "2026-01-01T00:00:01Z", "id": "1", "verb": "set_parameters", "details": changes}
+    return [{**common, **start}, {**common, **tune}]
+
+
+REACH = (4.0, 0.0, 2.0, 1.0, 1.2, 1.6)  # along X Y Z K M N: boxes, so that a test knows the margin
+
+
+def reach() -> dict[str, Any]:
+    """Attainable sets: what /api/vehicle/reach tells."""
+
+    def rows(half: tuple[float, ...]) -> list[list[float]]:
+        axes = [i for i, most in enumerate(half) if most]
+        return [[sign / half[i] if i == k else 0.0 for i in range(3)] for k in axes for sign in (1.0, -1.0)]
+
+    return {
+        "sha256": "0" * 64,
+        "surge_mps": 0.3,
+        "force": rows(REACH[:3]),
+        "moment": rows(REACH[3:]),
+        "low": [-most for most in REACH],
+        "high": list(REACH),
+        "most": list(REACH),
+    }
 
 
 def vehicle(vehicle_id: str, name: str, controllable: list[str]) -> dict[str, Any]:
@@ -162,6 +232,7 @@ def vehicle(vehicle_id: str, name: str, controllable: list[str]) -> dict[str, An
         "diameter_m": 0.3,
         "actuators": [],
         "failsafe": [],
+        "depth_rating_m": None,
     }
 
 

@@ -1,5 +1,6 @@
 """Missions and commands: what is sent, how refusals look, and an abort that nobody does by accident."""
 
+import pytest
 from playwright.sync_api import Page, expect
 
 from bumpless.contract import bumpless_pb2 as pb
@@ -222,3 +223,34 @@ def test_the_keyboard_keeps_its_place_when_controls_come_and_go(
     server.keep_saying(idle)
     expect(abort).to_be_disabled()
     expect(bar.get_by_label("Mission", exact=True)).to_be_focused()
+
+
+@pytest.mark.parametrize("order", ["flight first", "answer first"])
+def test_the_keyboard_stays_at_the_mission_however_late_the_answer_comes(
+    console: Page, server: ContractServer, order: str
+) -> None:
+    """Protects against a start whose flight shows before its answer: the key's place fell to Abort then."""
+    server.reply("POST", "mission/start", {"accepted": True, "reason": ""})
+    answered = server.hold("POST", "mission/start")
+    bar = console.get_by_label("Mission control")
+    start = bar.get_by_role("button", name="Start")
+    start.press("Enter")
+    server.wait_for_call("POST", "mission/start")
+    waiting = bar.get_by_role("button", name="Starting")
+    expect(waiting).to_be_focused()
+    expect(waiting).to_be_disabled()
+    console.keyboard.press("Enter")
+    flying = [*flight.server_status(), *flight.cycle(10.0), *flight.mission_status(10.0)]
+    hold = bar.get_by_role("button", name="Hold", exact=True)
+    if order == "answer first":
+        answered.set()
+        expect(start).to_be_enabled()
+        server.keep_saying(flying)
+    else:
+        server.keep_saying(flying)
+        expect(hold).to_be_focused()
+        expect(hold).to_be_disabled()
+        answered.set()
+    expect(hold).to_be_enabled()
+    expect(hold).to_be_focused()
+    assert len(server.calls_of("POST", "mission/start")) == 1

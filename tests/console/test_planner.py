@@ -344,3 +344,28 @@ def test_the_planner_loads_when_it_is_opened_and_not_before(page: Page, server: 
     files = [server.console / "assets" / name for name in loaded]
     sizes = [min(p.stat().st_size for p in (f, f.with_name(f"{f.name}.gz")) if p.is_file()) for f in files]
     assert loaded and sum(sizes) <= 250_000
+
+
+def test_a_failed_actuator_is_tried_beside_the_plan_and_taken_into_it(
+    planned: Page, server: ContractServer
+) -> None:
+    """Protects what-if of a failure: the file stays until it is made the plan, and undo leads back."""
+    asked: list[dict[str, Any]] = []
+
+    def foresee(request: dict[str, Any]) -> list[dict[str, Any]]:
+        asked.append(request)
+        return planner.forecast(20 if "faults:" in request["text"] else 198)
+
+    server.foresee = foresee
+    planned.get_by_role("button", name="What if").click()
+    planned.get_by_label("What if: actuator that fails").select_option("n_p")
+    planned.get_by_label("What if: when it fails").fill("40")
+    row = planned.get_by_role("table", name="Plan and what if").get_by_role("row").nth(2)
+    expect(row.get_by_role("cell")).to_have_text(["99.0", "10.0", "\N{MINUS SIGN}89.0"])
+    expect(planned.get_by_label("How it is kept")).to_contain_text("Saved")
+    assert "- {actuator: n_p, at_s: 40, effectiveness: 0}" in asked[-1]["text"]
+    planned.get_by_role("button", name="Make it the plan").click()
+    expect(planned.get_by_label("Chance")).to_contain_text("Docks in 20 of 200")
+    expect(planned.get_by_role("button", name="Fault of n_p from 40.0 s, 0 % left")).to_be_visible()
+    planned.get_by_role("button", name="Undo").click()
+    expect(planned.get_by_label("How it is kept")).to_contain_text("Saved")

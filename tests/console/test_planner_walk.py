@@ -33,6 +33,8 @@ def test_a_newcomer_draws_mends_starts_and_watches_a_mission(page: Page, running
     expect(page.get_by_label("Link: Live")).to_be_visible(timeout=COMPILES_MS)
     show(page, "Plan")
     planner.draw(page)
+    planner.draw_zone(page, (6, 8), (12, 8), (12, 14), (6, 14))
+    expect(page.get_by_role("heading", name="Keep-out zone 1")).to_be_visible()
     state = page.get_by_label("State of the forecast")
     expect(state).to_have_text("up to date", timeout=COMPILES_MS)
 
@@ -48,6 +50,7 @@ def test_a_newcomer_draws_mends_starts_and_watches_a_mission(page: Page, running
 
     next_step.get_by_role("button", name="Save and start").click()
     sheet = page.get_by_role("dialog", name="Before the start")
+    expect(sheet).to_contain_text("It reports a leak: it holds station at the surface.")
     warned = sheet.get_by_role("checkbox")
     if warned.count():
         warned.check()

@@ -1,6 +1,7 @@
 """A vehicle that moves in a straight line, with nothing to compile: tests of the node are about the node."""
 
 import sys
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -8,6 +9,7 @@ import numpy as np
 from bumpless.config.parameters import default_parameters
 from bumpless.config.vehicle import Vehicle
 from bumpless.contract import bumpless_pb2 as pb
+from bumpless.sim.condition import Condition, condition_of
 from bumpless.sim.events import TwinEvent
 from bumpless.sim.log import LOG
 
@@ -37,6 +39,16 @@ class LightTwin:
 
     def abort(self, reason: str) -> None:
         self._to(pb.MISSION_PHASE_ABORTED, "mission_aborted", f"Mission aborted: {reason}.")
+
+    def surface(self) -> None:
+        self._to(pb.MISSION_PHASE_PAUSED, "surfacing", "up")
+
+    def wave_off(self) -> bool:
+        return False
+
+    @property
+    def condition(self) -> Condition:
+        return condition_of(self.mission, float(self._log[0]["time"]))
 
     def set_parameters(self, parameters: Any) -> None:
         self.parameters = parameters
@@ -68,19 +80,25 @@ class LightTwin:
 
 
 def run(
-    endpoint: str, realtime: str = "realtime", mission: str | None = None, vehicle: str | None = None
+    endpoint: str,
+    realtime: str = "realtime",
+    mission: str | None = None,
+    vehicle: str | None = None,
+    zenoh_config: str = "",
+    memory: str = "",
 ) -> int:
-    """A vehicle node of its own with this twin in it, connected to `endpoint`; `vehicle` is a file."""
+    """A vehicle node of its own with this twin in it, connected to `endpoint`; all but it may be files."""
     from bumpless.node import main
 
-    paced = realtime == "realtime"
     return main(
         "ts100",
-        vehicle,
-        connect=[endpoint],
-        realtime=paced,
+        vehicle or None,
+        connect=[endpoint] if endpoint else [],
+        realtime=realtime == "realtime",
         mission=mission or None,
         make_twin=LightTwin,
+        zenoh_config=Path(zenoh_config) if zenoh_config else None,
+        memory=Path(memory) if memory else None,
     )
 
 

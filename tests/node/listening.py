@@ -40,8 +40,10 @@ class Listener:
         self.heard: list[tuple[str, Any, bytes]] = []
         self.alive: list[bool] = []
         self._changed = threading.Condition()
+        # what a vehicle says, key by key: on a bus with keys nobody may ask for more
+        said = (keys.telemetry(vehicle, "*"), keys.event(vehicle), keys.truth(vehicle))
         self._held = [
-            session.declare_subscriber(f"{keys.ROOT}/{vehicle}/**", self._hear),
+            *(session.declare_subscriber(key, self._hear) for key in said),
             session.liveliness().declare_subscriber(keys.alive(vehicle), self._live, history=True),
         ]
 
@@ -125,6 +127,11 @@ def program(*arguments: str, **environment: str) -> Iterator[subprocess.Popen[st
 def light_node(endpoint: str, *more: str) -> Any:
     """A node with a light twin in it; `more` are "realtime" or "fast", and a mission to begin with."""
     return program("-m", "tests.node.light", endpoint, *more)
+
+
+def light_node_with(endpoint: str = "", vehicle: str = "", zenoh_config: str = "", memory: str = "") -> Any:
+    """A paced node with a light twin in it, with files of its own."""
+    return light_node(endpoint, "realtime", "", vehicle, zenoh_config, memory)
 
 
 def ended(process: "subprocess.Popen[str]") -> tuple[int, str]:

@@ -45,14 +45,17 @@ def test_of_two_started_at_once_exactly_one_stays(bus: Listener, endpoint: str) 
 def test_two_that_met_only_later_leave_one(endpoint: str) -> None:
     """Both start while the bus is away, as after a power cut; when it comes, the younger one leaves."""
     with light_node(endpoint) as one:
-        _until_said(one, "is alive")
+        _until_said(one, "says nothing before")
         with light_node(endpoint) as other:
-            _until_said(other, "is alive")
+            _until_said(other, "says nothing before")
             with listening(endpoint) as bus:
                 bus.until_alive()
                 code, output = ended(other)
                 assert code == 3 and "giving way" in output
                 assert one.poll() is None
+                assert bus.alive == [True]
+                bus.until(lambda: bus.of("tlm/description"))
+                assert len({m.session_id for m in bus.of("tlm/description")}) == 1  # the other said nothing
                 assert bus.ask("shutdown").accepted
                 assert ended(one)[0] == 0
 

@@ -15,7 +15,7 @@ from websockets.sync.client import connect as connect_websocket
 from bumpless.contract import bumpless_pb2 as pb
 from tests.node.listening import PATIENCE_S, ROOT, free_port, program
 
-TOKEN = "a secret of this test"
+PASSWORD = "a secret of this test"
 FRAMES = 6000  # of the stream, after which what was waited for will not come
 
 
@@ -26,6 +26,8 @@ class Field:
         self.services = YAML(typ="safe").load(ROOT / "docker-compose.yml")["services"]
         self.router_at = f"tcp/127.0.0.1:{free_port()}"
         self.data = data
+        self.password_file = data.with_name("password")
+        self.password_file.write_text(f"{PASSWORD}\n")
 
     def router(self) -> Any:
         return program("-m", "tests.node.router", self.router_at)
@@ -37,7 +39,7 @@ class Field:
     def server(self) -> Any:
         environment = {k: self._here(str(v)) for k, v in self.services["server"]["environment"].items()}
         environment |= {
-            "BUMPLESS_TOKEN": TOKEN,
+            "BUMPLESS_FIRST_PASSWORD_FILE": str(self.password_file),
             "BUMPLESS_HOST": "127.0.0.1",
             "BUMPLESS_PORT": "0",
             "BUMPLESS_DATA_DIR": str(self.data),
@@ -54,7 +56,7 @@ class Field:
 
 
 class Console:
-    """A browser without a screen: logged in with the token, reading the stream."""
+    """A browser without a screen: logged in, reading the stream."""
 
     def __init__(self, http: httpx.Client, frames: Any) -> None:
         self.http, self._frames = http, frames
@@ -82,7 +84,8 @@ def console(server: "subprocess.Popen[str]") -> Iterator[Console]:
     port = next(int(found[1]) for line in lines if (found := re.search(r"http://[^:]+:(\d+)/", line)))
     with httpx.Client(base_url=f"http://127.0.0.1:{port}", timeout=PATIENCE_S) as http:
         assert http.get("/api/status").status_code == 401
-        assert http.get("/", params={"token": TOKEN}).status_code == 303
+        login = {"name": "engineer", "password": PASSWORD}
+        assert http.post("/api/login", json=login).status_code == 204
         cookie = "; ".join(f"{name}={value}" for name, value in http.cookies.items())
         with connect_websocket(
             f"ws://127.0.0.1:{port}/api/stream",

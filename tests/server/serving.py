@@ -3,6 +3,7 @@
 import asyncio
 import contextlib
 import socket
+import ssl
 import threading
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
@@ -70,14 +71,17 @@ def serving(settings: Settings) -> Iterator[Running]:
     console = Console(settings)
     console.start()
     listener = socket.create_server(("127.0.0.1", 0))
-    config = server_config(create_app(settings, console), console.tally.note, graceful_s=1)
+    config = server_config(create_app(settings, console), console.tally.note, settings, graceful_s=1)
     server = uvicorn.Server(config)
     thread = threading.Thread(
         target=lambda: asyncio.run(server.serve(sockets=[listener])), name="uvicorn", daemon=True
     )
     thread.start()
     port = listener.getsockname()[1]
-    with httpx.Client(base_url=f"http://127.0.0.1:{port}", timeout=PATIENCE_S) as http:
+    scheme, trusted = ("https", ssl.create_default_context()) if settings.tls_cert else ("http", True)
+    if isinstance(trusted, ssl.SSLContext):
+        trusted.load_verify_locations(settings.tls_cert)
+    with httpx.Client(base_url=f"{scheme}://127.0.0.1:{port}", timeout=PATIENCE_S, verify=trusted) as http:
         http.get("/api/health").raise_for_status()
 
         def stop() -> None:

@@ -2,8 +2,9 @@
 import { computed, signal } from "@preact/signals";
 import { ask } from "../api/client";
 import type { Refusal } from "../api/http";
-import { type Alarm, Severity } from "../gen/bumpless_pb";
+import type { Alarm } from "../gen/bumpless_pb";
 import { live } from "../stream/store";
+import { priorityOf } from "./looks";
 
 export type AlarmState = "unacknowledged" | "acknowledged" | "returned" | "shelved";
 
@@ -23,7 +24,7 @@ export const alarms = computed((): readonly Alarm[] => {
     const state = stateOf(alarm, now);
     return state === "shelved" ? 3 : alarm.acknowledgedNs ? 2 : 1;
   };
-  return [...open.value].sort((a, b) => rank(a) - rank(b) || b.severity - a.severity);
+  return [...open.value].sort((a, b) => rank(a) - rank(b) || priorityOf(a) - priorityOf(b));
 });
 
 /** Those that somebody must still look at. */
@@ -31,16 +32,19 @@ export const unseen = computed(() =>
   alarms.value.filter((alarm) => !alarm.acknowledgedNs && stateOf(alarm, Date.now()) !== "shelved"),
 );
 
+/** Priority of the most urgent one that nobody has seen; 6 for none. */
 export const worst = computed(() =>
-  unseen.value.reduce((most, { severity }) => Math.max(most, severity), Severity.UNSPECIFIED),
+  unseen.value.reduce((most, alarm) => Math.min(most, priorityOf(alarm)), 6),
 );
+
+/** The whole list is shown, with what is over. */
+export const whole = signal(false);
 
 export const refused = signal<Refusal | undefined>(undefined);
 
 export async function acknowledge(alarm: Alarm): Promise<void> {
   const answer = await ask("post", "/api/alarms/{alarm}/acknowledge", {
     path: { alarm: alarm.id },
-    body: { by: "operator" },
   });
   refused.value = answer.ok ? undefined : answer;
 }
@@ -48,7 +52,7 @@ export async function acknowledge(alarm: Alarm): Promise<void> {
 export async function shelve(alarm: Alarm, seconds: number): Promise<void> {
   const answer = await ask("post", "/api/alarms/{alarm}/shelve", {
     path: { alarm: alarm.id },
-    body: { seconds, by: "operator" },
+    body: { seconds },
   });
   refused.value = answer.ok ? undefined : answer;
 }

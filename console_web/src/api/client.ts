@@ -1,6 +1,6 @@
 // Requests whose paths, queries, bodies and answers are those of the server's interface.
 import type { paths } from "../gen/api";
-import { type Answer, request } from "./http";
+import { type Answer, type More, request } from "./http";
 
 type Method = "get" | "put" | "post" | "delete";
 type PathsWith<M extends Method> = {
@@ -16,7 +16,7 @@ type Body<O> = O extends { requestBody: { content: { "application/json": infer B
   ? B
   : string | Blob | object;
 
-interface Options<P extends string, O> {
+interface Options<P extends string, O> extends More {
   path?: Record<Names<P>, string>;
   query?: Query<O>;
   body?: Body<O>;
@@ -37,5 +37,5 @@ export function ask<M extends Method, P extends PathsWith<M> & string>(
   options: Options<P, Operation<P, M>> = {},
 ): Promise<Answer<Good<Operation<P, M>>>> {
   const to = address(path, options.path, options.query as object | undefined);
-  return request(method.toUpperCase(), to, options.body as string | Blob | object | undefined);
+  return request(method.toUpperCase(), to, options.body as string | Blob | object | undefined, options);
 }

@@ -14,6 +14,13 @@ export type Answer<T> = { ok: true; value: T } | Refusal;
 
 const TIMEOUT_MS = 15_000;
 
+/** What a request can say besides. */
+export interface More {
+  headers?: Record<string, string>;
+  /** Patience with work that takes the server longer than an answer. */
+  timeoutMs?: number;
+}
+
 function text(value: unknown): string {
   return value === undefined || value === null
     ? ""
@@ -52,6 +59,11 @@ function refusal(status: number, statusText: string, raw: string): Refusal {
   return { ok: false, status, reason, problems };
 }
 
+/** The session is over: nothing of the page works any more but the login. The view stays in the address. */
+function loggedOut(): void {
+  if (typeof location !== "undefined") location.replace(`./login${location.hash}`);
+}
+
 const UNREADABLE = Symbol("not JSON");
 
 /** An answer that is no JSON comes from a server that is there: it is not out of reach. */
@@ -67,20 +79,22 @@ export async function request<T>(
   method: string,
   path: string,
   body?: string | Blob | object,
+  { headers = {}, timeoutMs = TIMEOUT_MS }: More = {},
 ): Promise<Answer<T>> {
-  const init: RequestInit = { method, signal: AbortSignal.timeout(TIMEOUT_MS), cache: "no-store" };
+  const init: RequestInit = { method, signal: AbortSignal.timeout(timeoutMs), cache: "no-store", headers };
   if (body instanceof Blob) {
     init.body = body;
   } else if (typeof body === "string") {
     init.body = body;
-    init.headers = { "content-type": "text/plain; charset=utf-8" };
+    init.headers = { ...headers, "content-type": "text/plain; charset=utf-8" };
   } else if (body !== undefined) {
     init.body = JSON.stringify(body);
-    init.headers = { "content-type": "application/json" };
+    init.headers = { ...headers, "content-type": "application/json" };
   }
   try {
     const response = await fetch(path, init);
     const raw = await response.text();
+    if (response.status === 401 && path !== "api/me/password") loggedOut();
     if (!response.ok) return refusal(response.status, response.statusText, raw);
     const value = raw ? parsed<T>(raw) : (undefined as T);
     if (value === UNREADABLE) return refusal(response.status, "the server's answer cannot be read", "");
@@ -89,7 +103,9 @@ export async function request<T>(
     return { ok: true, value };
   } catch (error) {
     const late = error instanceof DOMException && error.name === "TimeoutError";
-    const reason = late ? "The server did not answer within 15 s." : "The server cannot be reached.";
+    const reason = late
+      ? `The server did not answer within ${timeoutMs / 1000} s.`
+      : "The server cannot be reached.";
     return { ok: false, status: 0, reason, problems: [] };
   }
 }

@@ -5,9 +5,13 @@ import { ask } from "./client";
 import { Resource } from "./resource";
 
 export const missions = new Resource(() => ask("get", "/api/missions"));
+/** Who this browser is to the server. */
+export const me = new Resource(() => ask("get", "/api/me"));
 export const runs = new Resource(() => ask("get", "/api/runs"));
+export const runsDisk = new Resource(() => ask("get", "/api/runs-disk"));
 export const presets = new Resource(() => ask("get", "/api/presets"));
 export const vehicle = new Resource(() => ask("get", "/api/vehicle"));
+export const revisions = new Resource(() => ask("get", "/api/parameters/revisions"));
 export const parameterRanges = new Resource(() => ask("get", "/api/parameters"));
 
 /** Call `act` when `news` gives another value than before; not for the first. */
@@ -26,6 +30,7 @@ export function refreshOnNews(): void {
   on(
     () => live.connection.value,
     () => {
+      void me.refresh();
       void missions.refresh();
       void runs.refresh();
       void presets.refresh();
@@ -46,6 +51,13 @@ export function refreshOnNews(): void {
       const status = live.latest("server/status");
       return status && `${status.recording}${status.recordingRunId}`;
     },
+    () => {
+      void runs.refresh();
+      if (runsDisk.peek()) void runsDisk.refresh();
+    },
+  );
+  on(
+    () => live.events.find(({ code }) => code === "run_found")?.stamp?.timeNs,
     () => void runs.refresh(),
   );
 }

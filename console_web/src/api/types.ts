@@ -2,6 +2,7 @@
 import type { components } from "../gen/api";
 
 type Schemas = components["schemas"];
+export type AuditEntry = Schemas["AuditEntry"];
 export type CommandReply = Schemas["CommandReply"];
 export type Metrics = Schemas["Metrics"];
 export type MissionDetail = Schemas["MissionDetail"];

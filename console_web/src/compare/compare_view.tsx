@@ -11,6 +11,7 @@ import "../ui/table.css";
 import "./compare_view.css";
 import { FiguresTable, SettingsTable } from "./compare_tables";
 import { comparison, idsOf, letterOf, load, MOMENTS, type Moment } from "./compared";
+import { Ghosts } from "./ghosts";
 import { Overlay } from "./overlay";
 
 const SIGNALS = [
@@ -42,6 +43,17 @@ export function CompareView() {
                 align.value = next;
               }}
             />
+            {answer?.ok && (
+              <a
+                class="action small"
+                href={`api/compare/report.html?${new URLSearchParams([...ids.map((id) => ["run", id]), ["align", align.value]])}`}
+                target="_blank"
+                rel="noopener"
+                title="One HTML file to send or print; fetches nothing"
+              >
+                Report
+              </a>
+            )}
             <a class="action small" href={href("runs", ids[0])}>
               <UndoIcon size={12} /> Runs
             </a>
@@ -76,6 +88,7 @@ export function CompareView() {
       </Panel>
       {answer?.ok && (
         <>
+          <Ghosts comparison={answer.value} align={align.value} />
           <Panel title="Lines" class="overlays" scrolls unit={`seconds from ${NAMES[align.value]}`}>
             {SIGNALS.map((signal) => (
               <Overlay key={signal.column} {...signal} align={align.value} comparison={answer.value} />

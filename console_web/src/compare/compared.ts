@@ -44,7 +44,7 @@ export async function load(ids: string[]): Promise<void> {
   if (mine === turn) rows.value = found;
 }
 
-async function rowsOfRun(run: string): Promise<CycleRow[]> {
+export async function rowsOfRun(run: string): Promise<CycleRow[]> {
   const about = await ask("get", "/api/runs/{run}/replay", { path: { run } });
   if (!about.ok) return [];
   const range = { from_s: about.value.first_s, to_s: about.value.last_s, most: ROWS };

@@ -24,6 +24,11 @@ export const VIEWS = [
     "id": "runs",
     "name": "Runs",
     "about": "Recorded flights with their metrics and files."
+  },
+  {
+    "id": "system",
+    "name": "System",
+    "about": "What was not taken as it came, who did what, and who may."
   }
 ] as const;
 export const HELP = "/help/" as const;
@@ -65,5 +70,6 @@ export const FRESH_FOR_S = {
   "tlm/description": 5.0,
   "tlm/health": 2.5,
   "server/status": 1.25,
-  "server/alarms": 1000000000.0
+  "server/alarms": 1000000000.0,
+  "server/control": 1000000000.0
 } as const;

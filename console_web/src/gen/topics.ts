@@ -16,4 +16,5 @@ export const SCHEMAS = {
   "tlm/health": pb.HealthSchema,
   "server/status": pb.ServerStatusSchema,
   "server/alarms": pb.AlarmsSchema,
+  "server/control": pb.ControlHolderSchema,
 };

@@ -5,6 +5,7 @@ import { fixed } from "../lib/format";
 import { screen } from "../stream/screen";
 import { DiamondIcon, TriangleIcon } from "../ui/icons";
 import { Empty, Panel } from "../ui/panel";
+import { Term } from "../words/term";
 import "./actuator_panel.css";
 
 export function ActuatorPanel() {
@@ -19,10 +20,10 @@ function Legend() {
   return (
     <span class="legend">
       <span class="flag" data-look="saturated">
-        <TriangleIcon size={9} /> at bound
+        <TriangleIcon size={9} /> <Term of="at_bound">at bound</Term>
       </span>
       <span class="flag" data-look="limited">
-        <DiamondIcon size={9} /> rate-limited
+        <DiamondIcon size={9} /> <Term of="rate_limited">rate-limited</Term>
       </span>
     </span>
   );

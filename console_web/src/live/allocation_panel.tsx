@@ -6,6 +6,7 @@ import { inForce, screen, shownPhase } from "../stream/screen";
 import { Canvas } from "../ui/canvas";
 import { AlarmIcon, CheckIcon, HollowIcon, WarningIcon } from "../ui/icons";
 import { Empty, Panel } from "../ui/panel";
+import { Term } from "../words/term";
 import { shown } from "./time_axis";
 import "./allocation_panel.css";
 
@@ -78,18 +79,21 @@ function Figures() {
   return (
     <div class="figures">
       <Figure
+        word="kkt"
         name="KKT residual"
         value={compact(a.kktResidual, 2)}
         column=""
         about="Projected gradient, bound-normalised"
       />
       <Figure
+        word="residual_norm"
         name="Residual norm"
         value={compact(a.residualNorm)}
         column="residual"
         about="||tau_d − tau_c|| weighted by Q"
       />
       <Figure
+        word="solve_time"
         name="Solve time"
         value={fixed(a.solveTimeUs, 0)}
         unit="µs"
@@ -97,6 +101,7 @@ function Figures() {
         about="Allocator's run time in this cycle"
       />
       <Figure
+        word="sqp"
         name="SQP"
         value={String(a.sqpIterations)}
         unit={`it. ${a.solver}`}
@@ -108,6 +113,7 @@ function Figures() {
 }
 
 interface FigureProps {
+  word: "kkt" | "residual_norm" | "solve_time" | "sqp";
   name: string;
   value: string;
   unit?: string;
@@ -115,10 +121,12 @@ interface FigureProps {
   about: string;
 }
 
-function Figure({ name, value, unit, column, about }: FigureProps) {
+function Figure({ word, name, value, unit, column, about }: FigureProps) {
   return (
     <div class="figure" title={about}>
-      <span class="muted">{name}</span>
+      <span class="muted">
+        <Term of={word}>{name}</Term>
+      </span>
       <span>
         <b class="num">{value}</b>
         {unit && <span class="unit"> {unit}</span>}

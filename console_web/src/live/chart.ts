@@ -1,12 +1,17 @@
 // A uPlot chart outside the component tree: it is made anew when its look changes, fed when there is news.
 import { effect } from "@preact/signals";
 import uPlot from "uplot";
+import { drawAhead, extent } from "../ahead/overlay";
 import { fixed, headingOf } from "../lib/format";
 import { colour, font, theme, typeSize } from "../lib/theme";
 import { screen } from "../stream/screen";
+import { marks } from "./event_marks";
+import { ghost, ghostLine } from "./ghost";
+import { band } from "./limit_band";
+import { limits } from "./limits";
 import { letter, shade } from "./mode_ground";
 import type { PlotSpec } from "./plots";
-import { shown, ticks, timeLabel, window_s } from "./time_axis";
+import { follow, shown, showStretch, ticks, timeLabel, window_s } from "./time_axis";
 
 /** Draw `spec` into `box` from now on, its values into `values`; returns how to stop. */
 export function chart(
@@ -22,7 +27,7 @@ export function chart(
     plot = new uPlot(options(spec, axis, box.clientWidth, box.clientHeight), dataOf(spec), box);
   });
   const stopFeeding = effect(() => {
-    void [screen.tick, window_s.value];
+    void [screen.tick, window_s.value, ghost.value, limits.value];
     if (!plot || !box.clientHeight) return;
     plot.setData(dataOf(spec));
     if (values) showValues(values, spec, plot);
@@ -52,7 +57,10 @@ function dataOf(spec: PlotSpec): uPlot.AlignedData {
       return value === undefined || Number.isNaN(value) ? null : value;
     });
   });
-  return [screen.history.time.slice(first, first + rows), ...lines];
+  const times = screen.history.time.slice(first, first + rows);
+  const measured = spec.traces.find(({ look }) => look === "measured")?.column ?? "";
+  const near = spec.heading ? screen.history.column(measured)?.subarray(first, first + rows) : undefined;
+  return [times, ...lines, ghost.value ? ghostLine(measured, times, near) : new Array(rows).fill(null)];
 }
 
 /** Values under the cursor, else the newest. */
@@ -73,11 +81,19 @@ function options(spec: PlotSpec, axis: boolean, width: number, height: number): 
     width: Math.max(60, width),
     height: Math.max(40, height),
     legend: { show: false },
-    cursor: { sync: { key: "live" }, drag: { x: false, y: false }, points: { size: 5 }, y: false },
+    cursor: {
+      sync: { key: "live" },
+      drag: { x: screen.isLive, y: false, setScale: false },
+      points: { size: 5 },
+      y: false,
+    },
     padding: [5, 16, axis ? 0 : 5, 0],
     scales: {
       x: { time: false, range: () => timeScale() },
-      y: { dir: spec.downward ? -1 : 1, range: (_, low, high) => span(low, high, spec.smallestSpan) },
+      y: {
+        dir: spec.downward ? -1 : 1,
+        range: (_, low, high) => span(...held(spec, low, high), spec.smallestSpan),
+      },
     },
     axes: [
       {
@@ -110,9 +126,35 @@ function options(spec: PlotSpec, axis: boolean, width: number, height: number): 
           spanGaps: false,
         }),
       ),
+      { stroke: colour("--ink-2"), width: 1.4, dash: [2, 3], points: { show: false }, spanGaps: false },
     ],
-    hooks: { drawClear: [shade], draw: [letter] },
+    hooks: {
+      drawClear: [shade, (plot) => band(plot, spec)],
+      draw: [marks, letter, drawAhead(measuredOf(spec))],
+      ready: [(plot) => plot.over.addEventListener("dblclick", follow)],
+      setSelect: [chosen],
+    },
   };
+}
+
+/** A stretch was marked by dragging: show it alone. */
+function chosen(plot: uPlot): void {
+  const { left, width } = plot.select;
+  if (width < 4) return;
+  const [from, to] = [plot.posToVal(left, "x"), plot.posToVal(left + width, "x")];
+  plot.setSelect({ left: 0, top: 0, width: 0, height: 0 }, false);
+  showStretch(from, to);
+}
+
+function measuredOf(spec: PlotSpec): string {
+  return spec.traces.find(({ look }) => look === "measured")?.column ?? "";
+}
+
+/** The scale holds the flights ahead as well. */
+function held(spec: PlotSpec, low: number | null, high: number | null): [number | null, number | null] {
+  const ahead = extent(measuredOf(spec));
+  if (!ahead || low === null || high === null) return [low, high];
+  return [Math.min(low, ahead[0]), Math.max(high, ahead[1])];
 }
 
 function span(low: number | null, high: number | null, smallest: number): [number, number] {

@@ -4,10 +4,13 @@ import { type Event, Severity } from "../gen/bumpless_pb";
 import { clock } from "../lib/format";
 import { timeOfDay, zoneName } from "../lib/zone";
 import { screen } from "../stream/screen";
+import { live } from "../stream/store";
+import { whenMs } from "../stream/vehicle_time";
 import { AlarmIcon, InfoIcon, WarningIcon } from "../ui/icons";
 import { Empty, Panel } from "../ui/panel";
 import { Segments } from "../ui/segments";
 import "./event_panel.css";
+import { SwitchFacts } from "./switch_facts";
 
 const LOOKS: Record<Severity, { look: string; name: string; Icon: typeof InfoIcon }> = {
   [Severity.UNSPECIFIED]: { look: "info", name: "Note", Icon: InfoIcon },
@@ -81,24 +84,18 @@ function Row({ event }: { event: Event }) {
   );
 }
 
-/** A past switch opens to what was true and what would have prevented it. */
+/** A past switch opens to what was true, what would have prevented it, and what it cost. */
 function Switch({ event }: { event: Event }) {
-  const { unless, dwelt_s, dwell_s, range_m, detected } = event.details;
+  const open = useSignal(false);
   return (
-    <details class="event-text">
+    <details
+      class="event-text"
+      onToggle={(toggled) => {
+        open.value = toggled.currentTarget.open;
+      }}
+    >
       <summary>{event.text}</summary>
-      <dl class="switch-facts">
-        <dt>would have been prevented by</dt>
-        <dd>{unless ?? "not told"}</dd>
-        <dt>stayed before</dt>
-        <dd class="num">
-          {dwelt_s ?? "–"} s of {dwell_s ?? "–"} s
-        </dd>
-        <dt>range, target</dt>
-        <dd class="num">
-          {range_m ?? "–"} m, {detected === "true" ? "seen" : "not seen"}
-        </dd>
-      </dl>
+      {open.value && <SwitchFacts event={event} />}
     </details>
   );
 }
@@ -107,7 +104,8 @@ function Switch({ event }: { event: Event }) {
 function when(event: Event): string {
   if (event.stamp && (event.stamp.missionTimeS > 0 || !screen.isLive))
     return `T+${clock(event.stamp.missionTimeS)}`;
-  if (!event.stamp?.timeNs) return "";
-  const at = new Date(Number(event.stamp.timeNs / 1_000_000n));
+  const ms = whenMs(event, live.latest("server/status")?.clockOffsetS ?? 0);
+  if (ms === undefined) return "";
+  const at = new Date(ms);
   return `${timeOfDay(at)} ${zoneName(at)}`;
 }

@@ -8,6 +8,7 @@ import { inForce, screen, shownMode, shownPhase } from "../stream/screen";
 import { HollowIcon, RecordIcon } from "../ui/icons";
 import { ModeBadge } from "../ui/mode_mark";
 import { Empty, Panel } from "../ui/panel";
+import { Term } from "../words/term";
 import { DockingLine } from "./docking_line";
 import { Exits } from "./exits";
 import { ModeStrip } from "./mode_strip";
@@ -24,6 +25,7 @@ export function ModePanel() {
 }
 
 function WindowChoice() {
+  const windows = [...new Set<number>([...WINDOWS_S, window_s.value])].sort((a, b) => a - b);
   return (
     <select
       class="small"
@@ -33,9 +35,11 @@ function WindowChoice() {
         window_s.value = Number(event.currentTarget.value);
       }}
     >
-      {WINDOWS_S.map((seconds) => (
+      {windows.map((seconds) => (
         <option key={seconds} value={seconds}>
-          {seconds < 120 ? `${seconds} s` : `${seconds / 60} min`}
+          {seconds < 120
+            ? `${fixed(seconds, seconds % 1 ? 1 : 0)} s`
+            : `${fixed(seconds / 60, seconds % 60 ? 1 : 0)} min`}
         </option>
       ))}
     </select>
@@ -79,6 +83,7 @@ function Content() {
           <span class="muted num">{whatItDoes(supervisor, settled)}</span>
         </div>
         <Ramp
+          word="kappa"
           label="κ"
           unit=""
           value={controlled ? supervisor.kappa : NaN}
@@ -88,8 +93,14 @@ function Content() {
         />
         <Dwell remaining={running ? supervisor.dwellRemainingS : NaN} inMode={supervisor.timeInModeS} />
         <div class="lamps" role="group" aria-label="Detection of the target">
-          <Lamp name="Raw" on={controlled && supervisor.detectionRaw} about="Target seen in this cycle" />
           <Lamp
+            word="detection_raw"
+            name="Raw"
+            on={controlled && supervisor.detectionRaw}
+            about="Target seen in this cycle"
+          />
+          <Lamp
+            word="detection"
             name="Filtered"
             on={controlled && supervisor.detection}
             about="After the M-of-N filter and hold: what the supervisor uses"
@@ -105,6 +116,7 @@ function Content() {
 }
 
 interface RampProps {
+  word: "kappa" | "dwell";
   label: string;
   unit: string;
   value: number;
@@ -113,12 +125,15 @@ interface RampProps {
   about: string;
 }
 
-function Ramp({ label, unit, value, share, decimals, about }: RampProps) {
+function Ramp({ word, label, unit, value, share, decimals, about }: RampProps) {
   const width = `${(100 * Math.min(1, Math.max(0, share))).toFixed(1)}%`;
   return (
     <div class="ramp" title={about}>
       <span class="ramp-text">
-        <span class="muted">{label}</span> <b class="num">{fixed(value, decimals)}</b>
+        <span class="muted">
+          <Term of={word}>{label}</Term>
+        </span>{" "}
+        <b class="num">{fixed(value, decimals)}</b>
         {unit && ` ${unit}`}
       </span>
       <span class="meter">
@@ -132,6 +147,7 @@ function Dwell({ remaining, inMode }: { remaining: number; inMode: number }) {
   const whole = remaining + inMode;
   return (
     <Ramp
+      word="dwell"
       label="dwell"
       unit="s"
       value={remaining}
@@ -142,10 +158,20 @@ function Dwell({ remaining, inMode }: { remaining: number; inMode: number }) {
   );
 }
 
-function Lamp({ name, on, about }: { name: string; on: boolean; about: string }) {
+function Lamp({
+  word,
+  name,
+  on,
+  about,
+}: {
+  word: "detection" | "detection_raw";
+  name: string;
+  on: boolean;
+  about: string;
+}) {
   return (
     <span class="lamp" data-on={on ? "yes" : "no"} title={about}>
-      {on ? <RecordIcon size={11} /> : <HollowIcon size={11} />} {name}
+      {on ? <RecordIcon size={11} /> : <HollowIcon size={11} />} <Term of={word}>{name}</Term>
       <span class="sr">{on ? "detected" : "not detected"}</span>
     </span>
   );

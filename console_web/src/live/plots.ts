@@ -2,6 +2,7 @@
 import { controllableAxes } from "../lib/vehicle";
 import { axisUnit } from "../lib/wrench";
 import { screen } from "../stream/screen";
+import { reachOf } from "./reach";
 
 export interface Trace {
   column: string;
@@ -19,11 +20,16 @@ export interface PlotSpec {
   downward?: boolean;
   /** Labels modulo 360. */
   heading?: boolean;
-  /** The axis spans at least this much. */
+  /** The axis spans at least this much: noise alone never fills a plot. */
   smallestSpan: number;
+  /** The limit of the alarms that the first trace is watched against: drawn as a band about the reference. */
+  limit?: LimitName;
 }
 
-export const GROUPS = ["Motion", "Attitude", "Wrench", "Actuators"] as const;
+/** Errors that are watched, by the limits' own names. */
+export type LimitName = "depth_m" | "heading_deg" | "speed_mps" | "cross_track_m";
+
+export const GROUPS = ["Motion", "Attitude", "Wrench", "Actuators", "Own"] as const;
 export type Group = (typeof GROUPS)[number];
 
 function pair(id: string, title: string, unit: string, decimals: number, smallestSpan: number): PlotSpec {
@@ -34,19 +40,37 @@ function pair(id: string, title: string, unit: string, decimals: number, smalles
   return { id, title, unit, decimals, smallestSpan, traces };
 }
 
+function alone(id: string, title: string, unit: string, decimals: number, smallestSpan: number): PlotSpec {
+  const traces: Trace[] = [{ column: id, name: "measured", look: "measured" }];
+  return { id, title, unit, decimals, smallestSpan, traces };
+}
+
 const MOTION: PlotSpec[] = [
-  { ...pair("depth", "Depth", "m", 2, 0.4), downward: true },
-  pair("speed", "Surge speed", "m/s", 2, 0.2),
-  { ...pair("yaw", "Heading", "°", 1, 4), heading: true },
+  { ...pair("depth", "Depth", "m", 2, 0.4), downward: true, limit: "depth_m" },
+  { ...pair("speed", "Surge speed", "m/s", 2, 0.2), limit: "speed_mps" },
+  { ...pair("yaw", "Heading", "°", 1, 4), heading: true, limit: "heading_deg" },
 ];
 
 const ATTITUDE: PlotSpec[] = [
-  { ...pair("yaw", "Heading", "°", 1, 4), heading: true },
+  { ...pair("yaw", "Heading", "°", 1, 4), heading: true, limit: "heading_deg" },
   pair("pitch", "Pitch", "°", 1, 4),
-  { ...pair("roll", "Roll", "°", 1, 4), traces: [{ column: "roll", name: "measured", look: "measured" }] },
+  alone("roll", "Roll", "°", 1, 4),
 ];
 
-export function specsOf(group: Group): PlotSpec[] {
+/** What stands in no group of its own. */
+const OTHERS: PlotSpec[] = [
+  alone("range", "Range", "m", 2, 1),
+  { ...alone("cross_track", "Cross-track error", "m", 2, 0.4), limit: "cross_track_m" },
+  alone("north", "North", "m", 1, 2),
+  alone("east", "East", "m", 1, 2),
+  alone("kappa", "Transition factor κ", "", 2, 1),
+  alone("detection_raw", "Raw detection", "", 0, 1.2),
+  alone("detection", "Filtered detection", "", 0, 1.2),
+  alone("residual", "Residual norm", "", 3, 0.05),
+  alone("solve_time", "Solve time", "µs", 0, 50),
+];
+
+export function specsOf(group: Exclude<Group, "Own">): PlotSpec[] {
   if (group === "Motion") return MOTION;
   if (group === "Attitude") return ATTITUDE;
   if (group === "Wrench") {
@@ -55,7 +79,7 @@ export function specsOf(group: Group): PlotSpec[] {
       title: axis,
       unit: axisUnit(axis),
       decimals: 2,
-      smallestSpan: 0.1,
+      smallestSpan: Math.max(0.1, 0.1 * reachOf(axis)),
       traces: [
         { column: `demanded_${axis}`, name: "demanded", look: "reference" },
         { column: `achieved_${axis}`, name: "achieved", look: "measured" },
@@ -73,4 +97,10 @@ export function specsOf(group: Group): PlotSpec[] {
       { column: `feedback_${name}`, name: "feedback", look: "measured" },
     ],
   }));
+}
+
+/** Every signal that can be plotted, each once. */
+export function everySpec(): PlotSpec[] {
+  const all = [MOTION, ATTITUDE, OTHERS, specsOf("Wrench"), specsOf("Actuators")].flat();
+  return [...new Map(all.map((spec) => [spec.id, spec])).values()];
 }

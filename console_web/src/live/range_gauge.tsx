@@ -2,6 +2,7 @@
 import type { Supervisor } from "../gen/bumpless_pb";
 import { fixed } from "../lib/format";
 import { inForce } from "../stream/screen";
+import { Term } from "../words/term";
 import "./range_gauge.css";
 
 interface Threshold {
@@ -30,7 +31,10 @@ export function RangeGauge({ supervisor }: { supervisor: Supervisor }) {
   return (
     <div class="range" role="group" aria-label={`Range to the observation point ${fixed(range, 2)} metres`}>
       <span class="range-value">
-        <span class="muted">Range</span> <b class="num">{fixed(range, 2)}</b> m
+        <span class="muted">
+          <Term of="range">Range</Term>
+        </span>{" "}
+        <b class="num">{fixed(range, 2)}</b> m
       </span>
       <div class="range-axis">
         <span class="range-line" />

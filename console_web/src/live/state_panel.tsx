@@ -4,6 +4,7 @@ import { fixed, headingOf, signed } from "../lib/format";
 import { screen } from "../stream/screen";
 import { Cells } from "../ui/cells";
 import { Empty, Panel } from "../ui/panel";
+import type { WordId } from "../words/words";
 
 export function StatePanel() {
   return (
@@ -18,7 +19,7 @@ function Figures() {
   const guidance = screen.latest("tlm/guidance");
   if (!nav) return <Empty>The vehicle's estimate appears with the first telemetry.</Empty>;
   const current = nav.currentEstimateNedMps;
-  const cells: [string, string, string][] = [
+  const cells: [string, string, string, WordId?][] = [
     ["North", fixed(nav.positionNedM?.x, 1), "m"],
     ["East", fixed(nav.positionNedM?.y, 1), "m"],
     ["Depth", fixed(nav.depthM, 2), "m"],
@@ -26,11 +27,15 @@ function Figures() {
     ["Roll", signed(nav.attitude?.rollDeg, 1), "°"],
     ["Pitch", signed(nav.attitude?.pitchDeg, 1), "°"],
     ["Speed", fixed(nav.speedOverGroundMps, 2), "m/s"],
-    ["Current", fixed(current && Math.hypot(current.x, current.y), 2), "m/s"],
-    ["Cross-track", signed(guidance?.crossTrackErrorM, 2), "m"],
-    ["Leg", legText(guidance), ""],
+    ["Current", fixed(current && Math.hypot(current.x, current.y), 2), "m/s", "current"],
+    ["Cross-track", signed(guidance?.crossTrackErrorM, 2), "m", "cross_track"],
+    ["Leg", legText(guidance), "", "leg"],
   ];
-  return <Cells cells={cells.map(([name, value, unit]) => ({ name, value, unit }))} />;
+  return (
+    <Cells
+      cells={cells.map(([name, value, unit, word]) => ({ name, value, unit, ...(word ? { word } : {}) }))}
+    />
+  );
 }
 
 /** "2/3"; after a missed approach the vehicle is on its way back, which is no leg of the mission. */

@@ -1,29 +1,55 @@
 // Demanded against achieved generalised force, component by component, on bars from zero.
+import { useSignal } from "@preact/signals";
+import { useEffect } from "preact/hooks";
 import { signed } from "../lib/format";
 import { controllableAxes } from "../lib/vehicle";
-import { axisUnit, type WrenchAxis, wrenchOf } from "../lib/wrench";
+import { axisUnit, WRENCH_AXES, type WrenchAxis, wrenchOf } from "../lib/wrench";
 import { inForce, screen } from "../stream/screen";
 import { Empty, Panel } from "../ui/panel";
+import { Segments } from "../ui/segments";
+import { Term } from "../words/term";
+import { AttainableSets } from "./attainable";
+import { reach, reachOf, watchReach } from "./reach";
 import "./wrench_panel.css";
 
-/** Full scale of each bar: grows with what has been seen, in steps, so that bars keep still. */
-const scales = new Map<WrenchAxis, number>();
+/** Full scale of each bar where the attainable sets are not known: grows with what has been seen, in steps. */
+const seen = new Map<WrenchAxis, number>();
+const STEPS = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10_000];
+const VIEWS = [
+  { value: "bars", name: "Bars", about: "Each component from zero, with the attainable bounds" },
+  { value: "sets", name: "Sets", about: "Cuts of the attainable sets, with demand and answer inside" },
+] as const;
 
+const stepOver = (value: number): number => STEPS.find((step) => step >= value) ?? value;
+
+/** By what the vehicle can do at any speed: it holds still. A demand beyond it ends at the bar's end. */
 function scaleFor(axis: WrenchAxis, ...values: (number | null)[]): number {
-  const largest = Math.max(...values.map((value) => Math.abs(value ?? 0)));
-  let scale = scales.get(axis) ?? 0.1;
-  for (const step of [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000]) {
-    if (scale >= largest) break;
-    scale = Math.max(scale, step);
-  }
-  scales.set(axis, scale);
-  return scale;
+  const most = reachOf(axis);
+  if (most > 0) return stepOver(most);
+  const largest = Math.max(seen.get(axis) ?? 0.1, ...values.map((value) => Math.abs(value ?? 0)));
+  seen.set(axis, stepOver(largest));
+  return stepOver(largest);
 }
 
 export function WrenchPanel() {
+  const shown = useSignal<"bars" | "sets">("bars");
+  useEffect(watchReach, []);
+  const aside = (
+    <>
+      {shown.value === "bars" && <Legend />}
+      <Segments
+        name="Wrench as"
+        choices={VIEWS}
+        chosen={shown.value}
+        onChoose={(next) => {
+          shown.value = next;
+        }}
+      />
+    </>
+  );
   return (
-    <Panel title="Wrench" topic="tlm/control" unit="body axes" class="wrench-panel" aside={<Legend />}>
-      <Rows />
+    <Panel title="Wrench" topic="tlm/control" class="wrench-panel" aside={aside}>
+      {shown.value === "bars" ? <Rows /> : <AttainableSets />}
     </Panel>
   );
 }
@@ -56,13 +82,13 @@ function Rows() {
             <span class="sr">Achieved as a bar, demanded as a mark</span>
           </th>
           <th scope="col" class="num">
-            dem.
+            <Term of="demanded">dem.</Term>
           </th>
           <th scope="col" class="num">
-            ach.
+            <Term of="achieved">ach.</Term>
           </th>
           <th scope="col" class="num">
-            resid.
+            <Term of="residual">resid.</Term>
           </th>
         </tr>
       </thead>
@@ -76,10 +102,10 @@ function Rows() {
           return (
             <tr key={axis} data-missed={missed ? "yes" : undefined}>
               <th scope="row">
-                {axis} <span class="unit">{axisUnit(axis)}</span>
+                <Term of={axis}>{axis}</Term> <span class="unit">{axisUnit(axis)}</span>
               </th>
               <td class="bar-cell">
-                <Bar demanded={demanded} achieved={achieved} scale={scale} />
+                <Bar axis={axis} demanded={demanded} achieved={achieved} scale={scale} />
               </td>
               <td class="num" data-testid={`demanded-${axis}`}>
                 {signed(demanded, 2)}
@@ -95,18 +121,26 @@ function Rows() {
 }
 
 function Bar({
+  axis,
   demanded,
   achieved,
   scale,
 }: {
+  axis: WrenchAxis;
   demanded: number | null;
   achieved: number | null;
   scale: number;
 }) {
   const at = (value: number): number => 50 + 50 * Math.max(-1, Math.min(1, value / scale));
   const end = at(achieved ?? 0);
+  const index = WRENCH_AXES.indexOf(axis);
+  const [low, high] = [reach.value?.low[index], reach.value?.high[index]];
+  const bounds = low !== undefined && high !== undefined;
+  const about = bounds ? `; attainable at this speed ${signed(low, 2)} to ${signed(high, 2)}` : "";
   return (
-    <span class="bar" title={`Full scale ±${scale}`}>
+    <span class="bar" title={`Full scale ±${scale}${about}`}>
+      {bounds && <i class="bar-beyond" style={{ left: 0, width: `${at(low)}%` }} />}
+      {bounds && <i class="bar-beyond" style={{ left: `${at(high)}%`, right: 0 }} />}
       <i class="bar-zero" />
       <i class="bar-fill" style={{ left: `${Math.min(50, end)}%`, width: `${Math.abs(end - 50)}%` }} />
       {demanded !== null && <i class="bar-tick" style={{ left: `${at(demanded)}%` }} />}

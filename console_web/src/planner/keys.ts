@@ -1,5 +1,6 @@
 // The planner by keyboard: the same operations as by pointer.
 import { look, showAll, size, viewport } from "./map/camera";
+import { closeOutline, drawn } from "./map/outline";
 import { grid, measured, TOOLS, tool } from "./map/tools";
 import { panned, zoomed } from "./map/viewport";
 import { short } from "./model/document";
@@ -17,16 +18,31 @@ import {
   rotateBy,
   setCurrent,
   shiftBy,
+  waveEdits,
 } from "./model/operations";
-import { edit, legOf, letGo, mission, redo, selected, undo } from "./model/plan";
+import { edit, letGo, mission, redo, selected, undo } from "./model/plan";
+import {
+  cornerOf,
+  cornersOf,
+  cornerThing,
+  EVENTS,
+  legOf,
+  outlineAt,
+  outlines,
+  outlineThing,
+} from "./model/things";
 
 export const KEYS: readonly (readonly [keys: string, what: string])[] = [
-  ["N, P", "select the next or previous thing: start, waypoints, dock, current"],
+  ["N, P", "select the next or previous thing: start, waypoints, dock, zones, faults, sea"],
   ["Arrows", "move what is selected by one step of the grid (Shift: ten steps); look around when nothing is"],
   ["Page up, Page down", "less or more depth, by 0.1 m (Shift: 1 m)"],
-  ["[ and ]", "turn the selected start or dock, or the current, by 5° (Shift: 1°)"],
+  [
+    "[ and ]",
+    "turn the selected start or dock, current or waves by 5° (Shift: 1°); zones: their corners in turn",
+  ],
   ["W", "a waypoint after the selected one, or the waypoint tool when nothing is selected"],
   ["V, D, C, M", "the tools: select, dock, current, measure"],
+  ["Z, B, S", "draw a keep-out zone, the keep-in boundary, the waves; Enter closes what is drawn"],
   ["Delete", "delete what is selected"],
   ["Ctrl+A, Escape", "select all, select nothing"],
   ["Ctrl+C, Ctrl+X, Ctrl+V", "copy, cut and paste waypoints"],
@@ -40,7 +56,15 @@ export const KEYS: readonly (readonly [keys: string, what: string])[] = [
 /** Every thing that can be selected, in the order of the flight. */
 export function things(): string[] {
   const view = mission.peek();
-  return ["start", ...view.legs.map((_, i) => `leg:${i}`), ...(view.dock ? ["dock"] : []), "current"];
+  return [
+    "start",
+    ...view.legs.map((_, i) => `leg:${i}`),
+    ...(view.dock ? ["dock"] : []),
+    ...outlines(view).map(outlineThing),
+    ...EVENTS.flatMap((kind) => view.events[kind].map((_, i) => `${kind}:${i}`)),
+    ...(view.wave ? ["wave"] : []),
+    "current",
+  ];
 }
 
 export function step(by: 1 | -1): void {
@@ -82,11 +106,23 @@ function turn(by: number): void {
       [{ path: ["start", "heading_deg"], value: short(wrapped(view.start.heading + by), 1) }],
       "turn start",
     );
+  else if (thing === "wave" && view.wave)
+    edit("Turn the waves", waveEdits(view, { direction: view.wave.direction + by }), "turn wave");
+  else if (thing !== undefined && outlineAt(thing) !== undefined) cornerStep(thing, by > 0 ? 1 : -1);
   else if (thing === "current") {
     const speed = Math.hypot(view.current[0], view.current[1]) || 0.05;
     const way = (Math.atan2(view.current[1], view.current[0]) * 180) / Math.PI + by;
     edit("Turn the current", setCurrent(view, along([0, 0, view.current[2]], way, speed)), "turn current");
   }
+}
+
+/** From an outline to its corners, one by one. */
+function cornerStep(thing: string, by: 1 | -1): void {
+  const which = outlineAt(thing);
+  const count = which === undefined ? 0 : (cornersOf(mission.peek(), which)?.length ?? 0);
+  if (which === undefined || count === 0) return;
+  const at = cornerOf(thing)?.index ?? (by > 0 ? -1 : 0);
+  selected.value = [cornerThing(which, (at + by + count) % count)];
 }
 
 /** A waypoint after the selected one: half way to the next, or 5 m on. */
@@ -121,7 +157,7 @@ function withControl(event: KeyboardEvent): boolean {
       void save();
       return true;
     case "a":
-      selected.value = things().filter((thing) => thing !== "current");
+      selected.value = things().filter((thing) => placeOf(mission.peek(), thing));
       return true;
     default:
       return false;
@@ -175,11 +211,18 @@ function letter(event: KeyboardEvent): boolean {
       return true;
     case "Delete":
     case "Backspace":
+      if (drawn.peek().length > 0) {
+        drawn.value = drawn.peek().slice(0, -1);
+        return true;
+      }
       deleteSelected();
       return true;
+    case "Enter":
+      return closeOutline();
     case "Escape":
       letGo();
       measured.value = [];
+      drawn.value = [];
       if (tool.peek() !== "select") tool.value = "select";
       else selected.value = [];
       return true;

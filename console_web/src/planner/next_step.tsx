@@ -2,10 +2,12 @@
 import { PlayIcon } from "../ui/icons";
 import { hard, plan } from "./fly/forecast";
 import { mend } from "./fly/mend";
-import { tool } from "./map/tools";
+import { closeOutline, drawn } from "./map/outline";
+import { outlining, tool } from "./map/tools";
 import { name, unsaved } from "./model/library";
 import { nextIndex } from "./model/operations";
 import { broken, dragging, mission, selected } from "./model/plan";
+import { FEWEST_CORNERS } from "./model/zones";
 import { preflight } from "./preflight_state";
 import "./next_step.css";
 
@@ -14,6 +16,9 @@ export function NextStep() {
   const view = mission.value;
   const free = nextIndex(view);
   if (tool.value === "measure") return <Hint>Click two or more points. Escape ends.</Hint>;
+  if (outlining.value) return <Outlining />;
+  if (tool.value === "wave")
+    return <Hint>Drag on the water the way the waves travel; farther is higher.</Hint>;
   if (tool.value === "current")
     return <Hint>Drag on the water the way the current flows: 42 px are the dial's radius.</Hint>;
   if (tool.value === "dock")
@@ -35,6 +40,26 @@ export function NextStep() {
       </Hint>
     );
   return <Judged />;
+}
+
+function Outlining() {
+  const count = drawn.value.length;
+  const words =
+    count === 0
+      ? "Click corner by corner, or drag a rectangle."
+      : count < FEWEST_CORNERS
+        ? "Go on: an outline has three corners or more."
+        : "The first corner again, Enter or here:";
+  return (
+    <Hint>
+      {words}
+      {count >= FEWEST_CORNERS && (
+        <button type="button" class="action small primary" onClick={closeOutline}>
+          Close it
+        </button>
+      )}
+    </Hint>
+  );
 }
 
 function Judged() {

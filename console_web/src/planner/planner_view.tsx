@@ -5,6 +5,8 @@ import { missions } from "../api/resources";
 import { go } from "../shell/address";
 import { Main } from "../ui/main";
 import { Segments } from "../ui/segments";
+import { charts, followCharts } from "./charts/charts";
+import { ChartsPanel } from "./charts/charts_panel";
 import { plan } from "./fly/forecast";
 import { ForecastPanel } from "./fly/forecast_panel";
 import { WhatIf } from "./fly/what_if_panel";
@@ -12,8 +14,8 @@ import { fields } from "./forms/fields";
 import { LegsTable } from "./forms/legs_table";
 import { SelectedForm } from "./forms/selected_form";
 import { KEYS, onAnyKey, onClipboard } from "./keys";
-import { Library } from "./library_panel";
-import { learn, learnVehicles, vehicles } from "./map/figures";
+import { Library } from "./library/library_panel";
+import { learn, learnVehicles, vehicle, vehicles } from "./map/figures";
 import { PlanMap } from "./map/plan_map";
 import { copyOnEdit } from "./model/copy_on_edit";
 import { autosave, name, named, openMission } from "./model/library";
@@ -22,16 +24,18 @@ import { PlanBar } from "./plan_bar";
 import { Preflight } from "./preflight";
 import { Profile } from "./profile/profile";
 import { YamlEditor } from "./text/yaml_editor";
+import { Timeline } from "./timeline/timeline";
 import { Versions } from "./versions";
 import "./planner_view.css";
 
-type Tab = "form" | "legs" | "text" | "if" | "keys";
+type Tab = "form" | "legs" | "text" | "if" | "charts" | "keys";
 const tab = signal<Tab>("form");
 const TABS: readonly { value: Tab; name: string; about: string }[] = [
   { value: "form", name: "Details", about: "Every number of what is selected, or of the mission" },
   { value: "legs", name: "Legs", about: "Length, time and depth rate of each leg" },
   { value: "text", name: "YAML", about: "The file itself" },
   { value: "if", name: "What if", about: "Another current, vehicle or tuning beside the plan" },
+  { value: "charts", name: "Charts", about: "Overlays and depths beneath the plan" },
   { value: "keys", name: "Keys", about: "What the keyboard does" },
 ];
 
@@ -43,6 +47,7 @@ export function PlannerView({ hidden }: { hidden: boolean }) {
     const stops = [
       copyOnEdit(),
       autosave(),
+      followCharts(),
       plan.follow(() => name.value !== "" && !broken.value && flies()),
     ];
     for (const kind of ["copy", "cut", "paste"] as const) document.addEventListener(kind, onClipboard);
@@ -81,6 +86,7 @@ export function PlannerView({ hidden }: { hidden: boolean }) {
         <div class="column planner-left" inert={library.value}>
           <PlanMap />
           <Profile />
+          <Timeline />
         </div>
         <div class="column planner-right" data-tab={tab.value} inert={library.value}>
           <ForecastPanel onPlace={() => undefined} />
@@ -90,6 +96,18 @@ export function PlannerView({ hidden }: { hidden: boolean }) {
       </div>
       <Preflight />
       <Versions />
+      <datalist id="plan-grids">
+        {charts.value
+          ?.filter(({ kind }) => kind === "depths")
+          .map(({ name: grid }) => (
+            <option key={grid} value={grid} />
+          ))}
+      </datalist>
+      <datalist id="plan-actuators">
+        {vehicle.value?.actuators.map((id) => (
+          <option key={id} value={id} />
+        ))}
+      </datalist>
       <datalist id="plan-vehicles">
         {vehicles.value.map((id) => (
           <option key={id} value={id} />
@@ -133,6 +151,8 @@ function Details() {
           <YamlEditor />
         ) : here === "if" ? (
           <WhatIf />
+        ) : here === "charts" ? (
+          <ChartsPanel />
         ) : (
           <Keys />
         )}

@@ -18,6 +18,7 @@ import { badge, hash, name, save, saving, trouble, unsaved } from "./model/libra
 import { table } from "./model/mission";
 import { broken, mission, text } from "./model/plan";
 import { Ask } from "./preflight_ask";
+import { Failsafes } from "./preflight_failsafe";
 import { preflight } from "./preflight_state";
 import "./preflight.css";
 
@@ -96,6 +97,9 @@ function Sheet() {
             Hold <b>Hold to abort</b> in the top line: the mission ends at once and all actuators come to
             rest; the vehicle drifts and rises or sinks by its own buoyancy.
           </Row>
+          <Row name="What happens when" look="info">
+            <Failsafes />
+          </Row>
         </dl>
         <Ask
           look="warning"
@@ -155,7 +159,7 @@ function differences(): string[] {
     for (const [field, value] of Object.entries(table(values)))
       found.push(`${section}.${field} = ${Array.isArray(value) ? `[${value.join(", ")}]` : String(value)}`);
   for (const key of ["sensors", "trim", "end"]) if (raw[key] !== undefined) found.push(`${key} set`);
-  const faults = mission.value.faults;
+  const faults = mission.value.events.fault;
   if (faults.length > 0) found.push(`${faults.length} fault${faults.length > 1 ? "s" : ""} of actuators`);
   return found;
 }

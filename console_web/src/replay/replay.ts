@@ -39,6 +39,8 @@ export class Replay implements Source {
   readonly trouble = signal("");
   readonly now: Signal<number> = signal(0);
   readonly history = new History();
+  /** Grows whenever the rows of `history`, or what is known beside them, have changed. */
+  readonly plotted = signal(0);
   private readonly samples = new Map<TopicName, Sample>();
   private all: Event[] = [];
   private overview: CycleRow[] = [];
@@ -140,6 +142,7 @@ export class Replay implements Source {
       this.take(frame);
       this.block = undefined;
       this.now.value++;
+      this.plotted.value++;
     }
     clearTimeout(this.timer);
     this.timer = setTimeout(() => void this.lookCloser(), DETAIL_AFTER_MS);
@@ -226,6 +229,7 @@ export class Replay implements Source {
     this.history.gap = Math.max(GAP, 3 * step);
     for (const row of merged(this.overview, detail)) this.history.append(row);
     this.now.value++;
+    this.plotted.value++;
   }
 
   private async fetch(what: "at" | "frames", query: object): Promise<ArrayBuffer | undefined> {

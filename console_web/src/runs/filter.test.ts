@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { RunSummary } from "../api/types";
 import { isPiece, shownRuns } from "./filter";
+import { viewsOf } from "./saved_views";
 
 const run = (id: string, more: Partial<RunSummary> = {}): RunSummary =>
   ({
@@ -44,5 +45,28 @@ describe("the list of runs", () => {
   it("knows the hold after a flight as a piece of it", () => {
     expect(isPiece(run("a.2", { run_id: "a" }))).toBe(true);
     expect(isPiece(run("a"))).toBe(false);
+  });
+
+  it("keeps the pieces of one flight together, the first above", () => {
+    const list = [
+      run("a", { recorded: "2026-01-01T00:00:00Z" }),
+      run("b", { recorded: "2026-01-02T00:00:00Z" }),
+      run("a.2", { run_id: "a", recorded: "2026-01-03T00:00:00Z" }),
+      run("a.10", { run_id: "a", recorded: "2026-01-03T00:00:01Z" }),
+    ];
+    expect(shownRuns(list, { words: "", outcome: "" }).map(({ id }) => id)).toEqual([
+      "a",
+      "a.2",
+      "a.10",
+      "b",
+    ]);
+  });
+});
+
+describe("saved views", () => {
+  it("are read again, and nothing else is taken for one", () => {
+    const view = { words: "calm", outcome: "docked" };
+    expect(viewsOf(JSON.stringify({ Calm: view, strange: 3, other: { words: 1 } }))).toEqual({ Calm: view });
+    for (const text of [null, "", "{", "[]", "3"]) expect(viewsOf(text)).toEqual({});
   });
 });

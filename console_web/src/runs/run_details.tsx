@@ -12,6 +12,9 @@ import { DownloadIcon, PlayIcon } from "../ui/icons";
 import { Empty, Panel } from "../ui/panel";
 import "../ui/facts.css";
 import { throwAway } from "./bin";
+import { ExportForm } from "./export_form";
+import { pieceOf, piecesOf } from "./filter";
+import { FlyAgain } from "./fly_again";
 import { MetricsTables } from "./metrics_tables";
 import { OutcomeChip } from "./outcome";
 import { useNow } from "./run_now";
@@ -98,6 +101,9 @@ export function RunDetails({ run }: { run: RunSummary }) {
           </div>
         </dl>
         {run.state !== "recording" && <WordsForm key={run.id} run={run} />}
+        <Pieces run={run} />
+        <ExportForm run={run} />
+        {run.state !== "recording" && <FlyAgain run={run} />}
       </Panel>
       <Panel title="Metrics" class="run-metrics" scrolls>
         {run.state === "recording" && <Empty>Metrics are computed when the run ends.</Empty>}
@@ -105,6 +111,26 @@ export function RunDetails({ run }: { run: RunSummary }) {
         {metrics?.ok && <MetricsTables metrics={metrics.value} />}
       </Panel>
     </div>
+  );
+}
+
+/** The pieces that a flight was recorded in: the mission, the hold after it, what a lost link cut. */
+function Pieces({ run }: { run: RunSummary }) {
+  const pieces = piecesOf(runs.value ?? [], run);
+  if (pieces.length < 2) return null;
+  return (
+    <p class="pieces">
+      <span class="muted">One flight in {pieces.length} pieces:</span>
+      {pieces.map((piece) => (
+        <a
+          key={piece.id}
+          href={href("runs", piece.id)}
+          aria-current={piece.id === run.id ? "true" : undefined}
+        >
+          {pieceOf(piece)} <span class="num muted">{clock(piece.duration_s)}</span>
+        </a>
+      ))}
+    </p>
   );
 }
 

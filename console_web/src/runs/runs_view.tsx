@@ -2,7 +2,7 @@
 import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { address as addressOf } from "../api/client";
-import { runs } from "../api/resources";
+import { runs, runsDisk } from "../api/resources";
 import type { RunSummary } from "../api/types";
 import { CompareView } from "../compare/compare_view";
 import { MOST } from "../compare/compared";
@@ -14,10 +14,13 @@ import { Main } from "../ui/main";
 import { Empty, Panel } from "../ui/panel";
 import "../ui/table.css";
 import { TakeBack } from "./bin";
+import { BringIn, DropArea } from "./bring_in";
+import { DiskUse } from "./disk_use";
 import { isPiece, shownRuns } from "./filter";
 import { OutcomeChip } from "./outcome";
 import { RunDetails } from "./run_details";
 import { useNow } from "./run_now";
+import { SavedViews } from "./saved_views";
 import "./runs_view.css";
 
 export function RunsView() {
@@ -25,7 +28,10 @@ export function RunsView() {
 }
 
 function List() {
-  useEffect(() => void runs.refresh(), []);
+  useEffect(() => {
+    void runs.refresh();
+    void runsDisk.refresh();
+  }, []);
   const { value: list, refusal } = runs;
   const words = useSignal("");
   const outcome = useSignal("");
@@ -67,6 +73,14 @@ function List() {
                 </option>
               ))}
             </select>
+            <SavedViews
+              filter={{ words: words.value, outcome: outcome.value }}
+              onChoose={(next) => {
+                words.value = next.words;
+                outcome.value = next.outcome;
+              }}
+            />
+            <BringIn />
             <button
               type="button"
               class="action small"
@@ -80,49 +94,52 @@ function List() {
           </>
         }
       >
-        <TakeBack />
-        {refusal && <Empty>The list cannot be read: {refusal.reason}</Empty>}
-        {list && list.length > 0 && !sorted.length && <Empty>No run is like that.</Empty>}
-        {!refusal && list && !list.length && (
-          <Empty>No runs yet. Start a mission: it is recorded from start to end.</Empty>
-        )}
-        {sorted.length > 0 && (
-          <table class="table">
-            <thead>
-              <tr>
-                <th scope="col">
-                  <span class="sr">Mark to compare</span>
-                </th>
-                <th scope="col">Outcome</th>
-                <th scope="col">Mission</th>
-                <th scope="col" class="num">
-                  Recorded
-                </th>
-                <th scope="col" class="num">
-                  Duration
-                </th>
-                <th scope="col" class="num">
-                  Size
-                </th>
-                <th scope="col">
-                  <span class="sr">Download</span>
-                </th>
-              </tr>
-            </thead>
-            <tbody>
-              {sorted.map((item) => (
-                <Row
-                  key={item.id}
-                  run={item}
-                  chosen={item === run}
-                  marked={marked.value.includes(item.id)}
-                  onMark={() => mark(item.id)}
-                  onChoose={() => go("runs", item.id)}
-                />
-              ))}
-            </tbody>
-          </table>
-        )}
+        <DropArea>
+          <TakeBack />
+          {refusal && <Empty>The list cannot be read: {refusal.reason}</Empty>}
+          {list && list.length > 0 && !sorted.length && <Empty>No run is like that.</Empty>}
+          {!refusal && list && !list.length && (
+            <Empty>No runs yet. Start a mission: it is recorded from start to end. Or drop a log here.</Empty>
+          )}
+          {sorted.length > 0 && (
+            <table class="table">
+              <thead>
+                <tr>
+                  <th scope="col">
+                    <span class="sr">Mark to compare</span>
+                  </th>
+                  <th scope="col">Outcome</th>
+                  <th scope="col">Mission</th>
+                  <th scope="col" class="num">
+                    Recorded
+                  </th>
+                  <th scope="col" class="num">
+                    Duration
+                  </th>
+                  <th scope="col" class="num">
+                    Size
+                  </th>
+                  <th scope="col">
+                    <span class="sr">Download</span>
+                  </th>
+                </tr>
+              </thead>
+              <tbody>
+                {sorted.map((item) => (
+                  <Row
+                    key={item.id}
+                    run={item}
+                    chosen={item === run}
+                    marked={marked.value.includes(item.id)}
+                    onMark={() => mark(item.id)}
+                    onChoose={() => go("runs", item.id)}
+                  />
+                ))}
+              </tbody>
+            </table>
+          )}
+          <DiskUse />
+        </DropArea>
       </Panel>
       {run ? (
         <RunDetails key={run.id} run={run} />

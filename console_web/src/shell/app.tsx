@@ -4,6 +4,7 @@ import { ReplayBar } from "../replay/replay_bar";
 import { SkipLink } from "../ui/main";
 import "./app.css";
 import { AlarmBar } from "../alarms/alarm_bar";
+import { Words } from "../words/words_loader";
 import { Banner } from "./banner";
 import { CommandBar } from "./command_bar";
 import { Header } from "./header";
@@ -19,6 +20,7 @@ export function App() {
       <AlarmBar />
       {replay.value && <ReplayBar replay={replay.value} />}
       <Views />
+      <Words />
     </div>
   );
 }

@@ -1,6 +1,6 @@
 // What must not be overlooked: the server or the vehicle is out of reach, so nothing is present.
 import { age } from "../lib/format";
-import { flying, link } from "../stream/link";
+import { link, moving } from "../stream/link";
 import { live } from "../stream/store";
 import { AlarmIcon, WarningIcon } from "../ui/icons";
 import "./banner.css";
@@ -45,7 +45,7 @@ export function Banner() {
       </div>
     );
   }
-  if (status?.recorderTrouble && !status.recording && flying.value) {
+  if (status?.recorderTrouble && !status.recording && moving.value) {
     return (
       <div class="banner warning" role="alert">
         <WarningIcon size={20} />

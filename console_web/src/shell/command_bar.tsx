@@ -1,18 +1,23 @@
 // Second line, on every view: what flies, how far it is, and the four commands. Abort stands
 // apart at the far end and wants to be held.
 import { useRef } from "preact/hooks";
+import { barred, commands } from "../access/control";
+import { ControlChip } from "../access/control_chip";
 import { missions } from "../api/resources";
 import { type Event, MissionPhase } from "../gen/bumpless_pb";
 import { clock } from "../lib/format";
+import { ARRANGEMENTS, arrange, arrangement } from "../live/arrangement";
 import { flying, link, moving, phase } from "../stream/link";
 import { PHASES } from "../stream/phase";
 import { foreign, ownFirst } from "../stream/present";
 import { live } from "../stream/store";
+import { ActButton } from "../ui/act_button";
 import { endingNamed } from "../ui/endings";
 import { HoldButton } from "../ui/hold_button";
 import { PauseIcon, PlayIcon, StopIcon } from "../ui/icons";
 import { useKeptFocus } from "../ui/keep_focus";
 import { ProblemTable, RefusalNotice } from "../ui/refusal";
+import { Segments } from "../ui/segments";
 import "./command_bar.css";
 import {
   busy,
@@ -50,24 +55,34 @@ export function CommandBar() {
     <>
       <section class="commandbar" aria-label="Mission control" ref={bar}>
         <Progress />
+        <ControlChip />
         <span class="grow" />
-        {!flying.value && view.value !== STARTS_ITSELF && <Chooser disabled={!ready} />}
+        {view.value === "live" && (
+          <span data-aside>
+            <Segments
+              name="Arrangement"
+              choices={ARRANGEMENTS}
+              chosen={arrangement.value}
+              onChoose={arrange}
+            />
+          </span>
+        )}
+        {!flying.value && view.value !== STARTS_ITSELF && <Chooser waiting={!ready || barred.value} />}
         {flying.value && (
-          <button
-            type="button"
+          <ActButton
             class="action"
-            disabled={!ready}
+            waiting={!ready || !commands.value || (paused && barred.value)}
             title={paused ? "Go on with the mission" : "Brake and hold station here; the mission waits"}
-            onClick={() => void command(paused ? "resume" : "pause")}
+            onAct={() => void command(paused ? "resume" : "pause")}
           >
             {paused ? <PlayIcon /> : <PauseIcon />} {paused ? "Resume" : "Hold"}
-          </button>
+          </ActButton>
         )}
         <HoldButton
           name="Abort mission"
           class="abort"
           holdMs={1000}
-          disabled={!moving.value || link.value.look === "offline"}
+          disabled={!moving.value || link.value.look === "offline" || !commands.value}
           title={title}
           onHeld={() => void command("abort")}
         >
@@ -195,7 +210,7 @@ function Elapsed({ elapsedS, durationS, heldS }: { elapsedS: number; durationS: 
   );
 }
 
-function Chooser({ disabled }: { disabled: boolean }) {
+function Chooser({ waiting }: { waiting: boolean }) {
   const list = ownFirst(missions.value ?? []);
   return (
     <form
@@ -233,14 +248,14 @@ function Chooser({ disabled }: { disabled: boolean }) {
           }}
         />
       </label>
-      <button
+      <ActButton
         type="submit"
         class="action primary"
-        disabled={disabled || choosing.value || !mission.value || misfit.value !== "" || seedRefused.value}
+        waiting={waiting || choosing.value || !mission.value || misfit.value !== "" || seedRefused.value}
         title={misfit.value ? `This mission is for ${misfit.value}` : undefined}
       >
         <PlayIcon /> {busy.value === "start" ? "Starting" : "Start"}
-      </button>
+      </ActButton>
     </form>
   );
 }

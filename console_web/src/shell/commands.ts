@@ -2,6 +2,7 @@
 import { computed, signal } from "@preact/signals";
 import { ask } from "../api/client";
 import type { Answer, Refusal } from "../api/http";
+import { once } from "../api/once";
 import { missions } from "../api/resources";
 import type { CommandReply } from "../api/types";
 import { foreign, ownFirst } from "../stream/present";
@@ -53,7 +54,7 @@ async function told(verb: Verb, asked: Promise<Answer<CommandReply>>): Promise<b
 }
 
 export function command(verb: Exclude<Verb, "start">): Promise<boolean> {
-  return told(verb, ask("post", "/api/mission/{verb}", { path: { verb }, body: {} }));
+  return told(verb, ask("post", "/api/mission/{verb}", { path: { verb }, body: {}, headers: once() }));
 }
 
 /** Fly the mission that is shown: by its hash, so that no other text under the same name can start. `despite`: what was found against it was read. */
@@ -66,7 +67,7 @@ export function startShown(shown: { name: string; sha256?: string }, despite = f
     ...(fixed === undefined ? {} : { seed: fixed }),
     ...(despite ? { despite_findings: true } : {}),
   };
-  return told("start", ask("post", "/api/mission/start", { body }));
+  return told("start", ask("post", "/api/mission/start", { body, headers: once() }));
 }
 
 export async function startChosen(): Promise<void> {

@@ -1,16 +1,27 @@
 // Top line: where you are, which vehicle, whether it is live, whether it is recorded.
-
 import { HELP, VIEWS } from "../gen/house";
 import { age, bytes } from "../lib/format";
 import { setTheme, theme } from "../lib/theme";
 import { setZone, timeOfDay, zone, zoneName } from "../lib/zone";
 import { type LinkLook, link } from "../stream/link";
 import { draft } from "../weights/draft";
+import { sheet } from "../words/asked";
 import { href } from "./address";
+import { OpenBus } from "./open_bus";
 import { view } from "./views";
 import "./header.css";
+import { AlarmCount } from "../alarms/alarm_count";
 import { live } from "../stream/store";
-import { AlarmIcon, CheckIcon, HollowIcon, MoonIcon, RecordIcon, SunIcon, WarningIcon } from "../ui/icons";
+import {
+  AlarmIcon,
+  CheckIcon,
+  FindIcon,
+  HollowIcon,
+  MoonIcon,
+  RecordIcon,
+  SunIcon,
+  WarningIcon,
+} from "../ui/icons";
 
 export function Header() {
   const badge = draft.changedPaths.value.length;
@@ -43,8 +54,34 @@ export function Header() {
       </nav>
       <span class="grow" />
       <Vehicle />
+      <AlarmCount />
+      <OpenBus />
       <Clock />
       <Recording />
+      <button
+        type="button"
+        class="quiet"
+        aria-label="Find everything (Ctrl+K)"
+        title="Find everything: Ctrl+K"
+        aria-haspopup="dialog"
+        onClick={() => {
+          sheet.value = "palette";
+        }}
+      >
+        <FindIcon size={16} />
+      </button>
+      <button
+        type="button"
+        class="quiet"
+        aria-label="Words and keys (?)"
+        title="Words and keys: ?"
+        aria-haspopup="dialog"
+        onClick={() => {
+          sheet.value = "glossary";
+        }}
+      >
+        <b aria-hidden="true">?</b>
+      </button>
       <ThemeButton />
     </header>
   );

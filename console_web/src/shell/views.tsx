@@ -17,6 +17,7 @@ const LOADERS: Record<ViewId, () => Promise<View>> = {
   missions: async () => (await import("../missions/missions_view")).MissionsView,
   weights: async () => (await import("../weights/weights_view")).WeightsView,
   runs: async () => (await import("../runs/runs_view")).RunsView,
+  system: async () => (await import("../system/system_view")).SystemView,
 };
 /** Stays in the page while another view is shown: its scene is slow to load. */
 const KEPT: ViewId = "live";

@@ -22,7 +22,10 @@ interface Shown {
   until: () => number;
 }
 
-const LIVE: Shown = { source: live, history, until: () => Number.NaN };
+/** Vehicle time that the live plots are held at, s; NaN: they follow the present. */
+export const heldAt = signal(Number.NaN);
+
+const LIVE: Shown = { source: live, history, until: () => heldAt.value };
 const shown = signal<Shown>(LIVE);
 
 export function showRun(run: Shown): void {

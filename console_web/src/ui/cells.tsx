@@ -1,5 +1,7 @@
 // Named figures side by side.
 import type { ComponentChildren } from "preact";
+import { Term } from "../words/term";
+import type { WordId } from "../words/words";
 import "./cells.css";
 
 export interface CellProps {
@@ -7,6 +9,8 @@ export interface CellProps {
   value: string;
   unit?: string;
   about?: string;
+  /** The word that explains it. */
+  word?: WordId;
 }
 
 export function Cells({
@@ -20,9 +24,9 @@ export function Cells({
 }) {
   return (
     <dl class={`cells ${look ?? ""}`}>
-      {cells.map(({ name, value, unit, about }) => (
+      {cells.map(({ name, value, unit, about, word }) => (
         <div key={name} title={about}>
-          <dt>{name}</dt>
+          <dt>{word ? <Term of={word}>{name}</Term> : name}</dt>
           <dd>
             <b class="num">{value}</b>
             {unit && <span class="unit"> {unit}</span>}

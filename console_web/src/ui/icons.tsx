@@ -61,6 +61,18 @@ export const SunIcon = icon(
 export const MoonIcon = icon(<path d="M13.5 9.6A6 6 0 0 1 6.4 2.5a6 6 0 1 0 7.1 7.1Z" />);
 export const TriangleIcon = icon(<path d="M8 2.5 14.5 13h-13Z" />, true);
 export const DiamondIcon = icon(<path d="M8 1.8 14.2 8 8 14.2 1.8 8Z" />);
+export const FindIcon = icon(
+  <>
+    <circle cx="7" cy="7" r="4.4" />
+    <path d="m10.4 10.4 3.6 3.6" />
+  </>,
+);
+export const BellIcon = icon(
+  <path d="M3 11.5h10c-1.2-1-1.5-2-1.5-4.5a3.5 3.5 0 0 0-7 0c0 2.5-.3 3.5-1.5 4.5ZM7 13.8h2" />,
+);
+export const BellOffIcon = icon(
+  <path d="M3 11.5h10c-1.2-1-1.5-2-1.5-4.5a3.5 3.5 0 0 0-7 0c0 2.5-.3 3.5-1.5 4.5ZM2 2l12 12" />,
+);
 export const ClockIcon = icon(
   <>
     <circle cx="8" cy="8" r="6" />

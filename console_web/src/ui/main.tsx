@@ -6,12 +6,14 @@ interface MainProps {
   name: string;
   class: string;
   hidden?: boolean;
+  /** For style sheets: how it is arranged. */
+  state?: string;
   children: ComponentChildren;
 }
 
-export function Main({ name, class: look, hidden, children }: MainProps) {
+export function Main({ name, class: look, hidden, state, children }: MainProps) {
   return (
-    <main class={look} aria-label={name} hidden={hidden} tabIndex={-1}>
+    <main class={look} aria-label={name} hidden={hidden} data-as={state} tabIndex={-1}>
       <h1 class="sr">{name}</h1>
       {children}
     </main>

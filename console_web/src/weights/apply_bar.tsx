@@ -51,6 +51,16 @@ export function ApplyBar() {
         >
           <RedoIcon />
         </button>
+        <input
+          class="apply-reason"
+          aria-label="Reason of the change"
+          placeholder="Reason, for the record"
+          maxLength={300}
+          value={draft.reason.value}
+          onInput={(event) => {
+            draft.reason.value = event.currentTarget.value;
+          }}
+        />
         <button
           type="button"
           class="action"
@@ -63,6 +73,7 @@ export function ApplyBar() {
           {busy ? "Applying" : "Apply to vehicle"}
         </button>
       </div>
+      {draft.outdated.value && !busy && <Outdated />}
       {apply.state === "refused" && (
         <>
           <RefusalNotice
@@ -74,6 +85,20 @@ export function ApplyBar() {
         </>
       )}
     </section>
+  );
+}
+
+/** Somebody changed what the vehicle flies with since: the draft must be looked at again before it is applied. */
+function Outdated() {
+  const now = live.latest("tlm/parameters")?.revision;
+  return (
+    <p class="apply-outdated" role="status">
+      <WarningIcon /> The draft was made from revision {draft.basis.value}; the vehicle flies revision{" "}
+      {String(now ?? "–")}. Applying it would be refused.
+      <button type="button" class="action small" onClick={() => draft.rebase()}>
+        Keep my changes over revision {String(now ?? "–")}
+      </button>
+    </p>
   );
 }
 

@@ -18,8 +18,20 @@ export type Apply =
   | { state: "differs"; revision: number; paths: string[] }
   | { state: "refused"; refusal: Refusal };
 
-type Put = (parameters: object) => Promise<Answer<CommandReply>>;
+/** What goes with a change: the revision it was made from, why, and which request it is. */
+export interface Sent {
+  revision: number | undefined;
+  reason: string;
+  key: string;
+}
+
+type Put = (parameters: object, sent: Sent) => Promise<Answer<CommandReply>>;
 const STEPS_KEPT = 200;
+
+function newKey(): string {
+  const bytes = crypto.getRandomValues(new Uint8Array(12));
+  return [...bytes].map((n) => n.toString(16).padStart(2, "0")).join("");
+}
 
 export class Draft {
   readonly apply = signal<Apply>({ state: "none" });
@@ -35,8 +47,13 @@ export class Draft {
   private readonly changes = signal<Changes>({});
   private readonly past = signal<readonly Changes[]>([]);
   private readonly future = signal<readonly Changes[]>([]);
+  /** Revision of the active values that the first change was made from; undefined without one. */
+  readonly basis = signal<number | undefined>(undefined);
+  /** Why, for the record. */
+  readonly reason = signal("");
   private lastPath = "";
   private revision = 0;
+  private tried: { key: string; body: string } | undefined;
 
   constructor(
     private readonly said: ReadonlySignal<ParametersStatus | undefined>,
@@ -115,14 +132,30 @@ export class Draft {
     return { ...this.active.value, ...this.changes.value };
   }
 
+  /** The vehicle flies other values than those that the draft was made from. */
+  readonly outdated = computed(
+    () => this.basis.value !== undefined && this.basis.value !== Number(this.said.value?.revision ?? 0),
+  );
+
+  /** Keep the changes, now over what the vehicle flies with since. */
+  rebase(): void {
+    this.basis.value = this.basis.value === undefined ? undefined : Number(this.said.value?.revision ?? 0);
+    this.dismiss();
+  }
+
   async send(): Promise<void> {
     const values = this.whole();
+    const body = jsonOfFlat(values);
     this.apply.value = { state: "sending" };
-    const answer = await this.put(jsonOfFlat(values));
+    const sent = { revision: this.basis.value, reason: this.reason.value.trim(), key: this.keyOf(body) };
+    const answer = await this.put(body, sent);
     if (!answer.ok) {
+      if (answer.status) this.tried = undefined; // answered: the next try is another request
       this.apply.value = { state: "refused", refusal: answer };
       return;
     }
+    this.tried = undefined;
+    this.reason.value = "";
     this.apply.value = {
       state: "awaiting",
       revision: answer.value.revision,
@@ -130,6 +163,13 @@ export class Draft {
       since: performance.now(),
     };
     this.followVehicle();
+  }
+
+  /** One request keeps its key until it is answered: tried again, it is not carried out twice. */
+  private keyOf(parameters: object): string {
+    const body = JSON.stringify(parameters);
+    if (this.tried?.body !== body) this.tried = { key: newKey(), body };
+    return this.tried.key;
   }
 
   dismiss(): void {
@@ -143,6 +183,7 @@ export class Draft {
     const revision = Number(said?.revision ?? 0);
     const anew = revision < this.revision; // another node counts from the beginning and will not reach ours
     this.revision = revision;
+    if (anew && this.basis.value !== undefined) this.basis.value = revision;
     if (apply.state !== "awaiting" || !said || !(revision >= apply.revision || anew)) return;
     const active = this.active.value;
     const paths = Object.keys(apply.values).filter((path) => active[path] !== apply.values[path]);
@@ -150,6 +191,7 @@ export class Draft {
     batch(() => {
       const open = Object.entries(this.changes.value).filter(([path, value]) => active[path] !== value);
       this.changes.value = Object.fromEntries(open);
+      this.basis.value = open.length ? revision : undefined;
       this.past.value = [];
       this.future.value = [];
       this.apply.value = paths.length
@@ -165,9 +207,16 @@ export class Draft {
       this.lastPath = path;
       this.future.value = [];
       this.changes.value = next;
+      this.note();
       const { state } = this.apply.value;
       if (state !== "sending" && state !== "awaiting") this.dismiss();
     });
+  }
+
+  /** The first change is made from what is in force now. */
+  private note(): void {
+    const any = Object.keys(this.changes.value).length > 0;
+    this.basis.value = any ? (this.basis.value ?? Number(this.said.value?.revision ?? 0)) : undefined;
   }
 
   private travel(from: typeof this.past, to: typeof this.past): void {
@@ -177,6 +226,7 @@ export class Draft {
       from.value = from.value.slice(0, -1);
       to.value = [...to.value, this.changes.value];
       this.changes.value = changes;
+      this.note();
       this.invalid.value = new Set();
       this.lastPath = "";
     });
@@ -185,5 +235,13 @@ export class Draft {
 
 export const draft = new Draft(
   computed(() => live.latest("tlm/parameters")),
-  (body) => ask("put", "/api/parameters", { body }),
+  (body, { revision, reason, key }) =>
+    ask("put", "/api/parameters", {
+      body,
+      headers: {
+        "idempotency-key": key,
+        ...(revision === undefined ? {} : { "if-match": `"${revision}"` }),
+        ...(reason ? { "x-reason": encodeURIComponent(reason) } : {}),
+      },
+    }),
 );

@@ -1,5 +1,7 @@
 // Mode weights and switching rules, edited as a draft and applied in one step.
 import { useEffect } from "preact/hooks";
+import { AheadPanel } from "../ahead/ahead_panel";
+import { Revisions } from "../ahead/revisions";
 import { presets } from "../api/resources";
 import { Main } from "../ui/main";
 import { AgeChip, Empty, Panel } from "../ui/panel";
@@ -47,6 +49,7 @@ export function WeightsView() {
           <ModeTable />
         </Panel>
         <div class="column">
+          <AheadPanel />
           <Panel title="Supervisor">
             <SupervisorFields />
           </Panel>
@@ -56,6 +59,7 @@ export function WeightsView() {
           <Panel title="Presets">
             <Presets />
           </Panel>
+          <Revisions />
         </div>
       </div>
     </Main>

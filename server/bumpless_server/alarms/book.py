@@ -14,6 +14,18 @@ from bumpless_server.data_dir import write_whole
 
 log = logging.getLogger(__name__)
 
+# How urgent each kind is, where its severity alone does not say: 1 critical to 5 for the record.
+PRIORITIES = {
+    "node_died": 1,
+    "node_restarted": 1,
+    "not_finite": 1,
+    "link_lost": 1,
+    "too_deep": 1,
+    "saturated": 4,
+    "disk": 4,
+    "clock_offset": 5,
+}
+OF_SEVERITY: dict[int, int] = {pb.SEVERITY_ALARM: 2, pb.SEVERITY_WARNING: 3}
 KEPT = 500  # alarms that are over, in the history
 
 
@@ -32,6 +44,7 @@ class Alarm:
     count: int = 1
     shelved_until_ns: int = 0
     details: dict[str, str] = field(default_factory=dict)
+    priority: int = 0
 
     @property
     def over(self) -> bool:
@@ -55,8 +68,8 @@ class Book:
             self._read(path)
 
     def open(self) -> list[Alarm]:
-        """Those not over: worst first, then the newest."""
-        return sorted(self._open.values(), key=lambda a: (-a.severity, -a.raised_ns))
+        """Those not over: most urgent first, then the newest."""
+        return sorted(self._open.values(), key=lambda a: (a.priority, -a.severity, -a.raised_ns))
 
     def history(self) -> list[Alarm]:
         """Those that are over, newest first."""
@@ -76,7 +89,9 @@ class Book:
         else:
             self._number += 1
             name = f"{now_ns // 1_000_000:x}-{self._number}"
-            self._open[code] = Alarm(name, code, severity, text, now_ns, details=dict(details or {}))
+            alarm = Alarm(name, code, severity, text, now_ns, details=dict(details or {}))
+            self._open[code] = alarm
+        alarm.priority = PRIORITIES.get(code) or OF_SEVERITY.get(severity, 5)
         self._save()
         return True
 

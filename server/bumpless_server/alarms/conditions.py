@@ -1,7 +1,7 @@
 """What there is to be alarmed at, in what the server hears: pure, one message after the other."""
 
-from collections.abc import Iterator
-from math import isfinite
+from collections.abc import Callable, Iterator
+from math import hypot, inf, isfinite
 from typing import Any
 
 from google.protobuf.message import Message
@@ -28,10 +28,10 @@ Change = tuple[str, tuple[int, str] | None]
 
 
 class Conditions:
-    """Feed it every sample; it gives what has come and what has gone."""
+    """Feed it every sample; it gives what has come and what has gone. `free_bytes`: of the runs' disk."""
 
-    def __init__(self, limits: Limits) -> None:
-        self._limits = limits
+    def __init__(self, limits: Limits, free_bytes: Callable[[], float] = lambda: inf) -> None:
+        self._limits, self._free_bytes = limits, free_bytes
         self._tracking = TrackingWatch(limits)
         self._last: dict[str, Message] = {}
         self._session, self._parameters, self._lost_parameters = "", "", ""
@@ -91,6 +91,9 @@ class Conditions:
             yield "not_recorded", (ALARM, text)
         else:
             yield "not_recorded", None
+        free_mb = self._free_bytes() / 1e6
+        text = f"The disk of the runs has {free_mb:.0f} MB left, less than {self._limits.disk_mb:g} MB."
+        yield "disk", (WARNING, text) if free_mb < self._limits.disk_mb else None
 
     def _navigation(self, nav: pb.Navigation, receive_ns: int) -> Iterator[Change]:
         off_s = (nav.stamp.time_ns - receive_ns) * 1e-9
@@ -106,6 +109,18 @@ class Conditions:
         bad = not all(map(isfinite, (p.x, p.y, p.z, a.roll_deg, a.pitch_deg, a.yaw_deg, nav.depth_m)))
         text = "Navigation tells values that are no numbers: the vehicle does not know where it is."
         yield "not_finite", (ALARM, text) if bad else None
+        yield from self._bounds(nav)
+
+    def _bounds(self, nav: pb.Navigation) -> Iterator[Change]:
+        """Depth and area, whatever is flown: a vehicle that drifts leaves them too."""
+        deepest, area = self._limits.deepest_m, self._limits.area_m
+        if deepest is not None:
+            text = f"Depth {nav.depth_m:.1f} m is greater than the {deepest:g} m that are allowed."
+            yield "too_deep", (ALARM, text) if nav.depth_m > deepest else None
+        if area is not None:
+            away = hypot(nav.position_ned_m.x, nav.position_ned_m.y)
+            text = f"The vehicle is {away:.0f} m from the mission's start, outside its area of {area:g} m."
+            yield "outside_area", (ALARM, text) if away > area else None
 
     @property
     def _phase(self) -> int:

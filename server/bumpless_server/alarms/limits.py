@@ -25,6 +25,9 @@ class Limits(BaseModel):
     for_s: Annotated[float, Field(ge=0.0)] = 10.0  # how long an error must last
     after_switch_s: Annotated[float, Field(ge=0.0)] = 8.0  # after a switch a vehicle may be off for so long
     saturated_s: Annotated[float, Field(ge=0.0)] = 5.0  # an actuator at its bound for so long
+    deepest_m: Annotated[float | None, Field(gt=0.0)] = None  # depth that is never to be passed
+    area_m: Annotated[float | None, Field(gt=0.0)] = None  # farthest from the mission's start, horizontally
+    disk_mb: Annotated[float, Field(ge=0.0)] = 2000.0  # free on the disk of the runs
     clock_s: Annotated[float, Field(gt=0.0)] = 60.0  # between the vehicle's clock and the server's
 
 

@@ -1,6 +1,8 @@
 """The thread that hears everything, keeps the book of alarms and tells the browsers of each change."""
 
 import logging
+import math
+import shutil
 import threading
 import time
 from collections.abc import Callable
@@ -36,8 +38,11 @@ WATCHED = frozenset(
 class Watch:
     """`offer` takes every sample and never waits; `feed` is given what is to be told."""
 
-    def __init__(self, limits: Callable[[], Limits], path: Path, feed: Callable[[Sample], None]) -> None:
-        self._limits, self._path, self._feed = limits, path, feed
+    def __init__(
+        self, limits: Callable[[], Limits], path: Path, feed: Callable[[Sample], None], disk: Path
+    ) -> None:
+        self._read_limits, self._path, self._feed, self._disk = limits, path, feed, disk
+        self.limits = Limits()  # those in force; read at the start
         self._queue: BoundedQueue[Sample] = BoundedQueue(
             4000,
             16_000_000,
@@ -53,9 +58,16 @@ class Watch:
     def start(self) -> None:
         """Read what is kept and begin to listen."""
         self._book = Book(self._path)
-        self._conditions = Conditions(self._limits())
+        self.limits = self._read_limits()
+        self._conditions = Conditions(self.limits, self._free_bytes)
         self._tell()
         self._worker.start()
+
+    def _free_bytes(self) -> float:
+        try:
+            return shutil.disk_usage(self._disk).free
+        except OSError:
+            return math.inf  # what cannot be asked is for the recorder to find out
 
     def stop(self) -> None:
         """End; what is open is kept for the next start."""

@@ -24,6 +24,13 @@ def compare(
         Path | None, typer.Option(help="TOML file of limits; exit code 4 when one is not kept.")
     ] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON.")] = False,
+    report: Annotated[
+        Path | None, typer.Option(help="HTML file to write: the comparison as one page to send.")
+    ] = None,
+    align: Annotated[
+        str,
+        typer.Option(help="Moment that the report lays runs over each other at: start, reverse, hover, end."),
+    ] = "start",
 ) -> None:
     """Compare recorded runs: figures, and differences of mission, parameters and software."""
     from bumpless.review.compare import compare as compared
@@ -35,15 +42,28 @@ def compare(
     try:
         comparison = compared([subject_of(log) for log in logs])
         verdicts = judge(read_gate(gate), comparison) if gate is not None else []
+        if report is not None:
+            _write(report, logs, align)
     except (GateError, ValueError, OSError) as error:
         typer.echo(f"bumpless compare: {error}", err=True)
         raise typer.Exit(MISUSED) from error
-    typer.echo(_json(comparison, verdicts) if as_json else _text(comparison, verdicts))
+    typer.echo(json_of(comparison, verdicts) if as_json else text_of(comparison, verdicts))
     if not all(verdict.passed for verdict in verdicts):
         raise typer.Exit(GATE_FAILED)
 
 
-def _text(comparison: "Comparison", verdicts: "list[Verdict]") -> str:
+def _write(target: Path, logs: list[Path], align: str) -> None:
+    from bumpless_server.cli.extras import need
+
+    need("report", "jinja2", "matplotlib")
+    from bumpless.review.compared_report import comparison_report
+    from bumpless_server.scene.hull_picture import hull_picture
+
+    target.write_text(comparison_report(logs, align, hull_picture), encoding="utf-8")
+
+
+def text_of(comparison: "Comparison", verdicts: "list[Verdict]") -> str:
+    """For a terminal."""
     ids = [subject.info.id for subject in comparison.subjects]
     lines = [f"{chr(65 + k)}  {name}: {s.outcome.replace('_', ' ') or 'not judged'}" for k, (name, s) in
              enumerate(zip(ids, comparison.subjects, strict=True))]  # fmt: skip
@@ -66,7 +86,8 @@ def _text(comparison: "Comparison", verdicts: "list[Verdict]") -> str:
     return "\n".join(lines)
 
 
-def _json(comparison: "Comparison", verdicts: "list[Verdict]") -> str:
+def json_of(comparison: "Comparison", verdicts: "list[Verdict]") -> str:
+    """For programs."""
     told = {
         "runs": [{"id": s.info.id, "outcome": s.outcome, "reason": s.reason} for s in comparison.subjects],
         "figures": [

@@ -6,12 +6,16 @@ from bumpless_server.cli import (
     campaign,
     compare,
     envelope,
+    export,
+    keys,
     metrics,
+    refly,
     repair,
     report,
     reproduce,
     run,
     tune,
+    user,
     validate,
     vehicle,
 )
@@ -45,9 +49,13 @@ app.command()(tune.tune)
 app.command()(metrics.metrics)
 app.command()(compare.compare)
 app.command()(report.report)
+app.command()(refly.refly)
+app.command()(export.export)
 app.command()(envelope.envelope)
 app.command()(repair.repair)
 app.command()(reproduce.reproduce)
+app.add_typer(user.user, name="user")
+app.add_typer(keys.app, name="keys")
 
 
 if __name__ == "__main__":

@@ -17,10 +17,11 @@ def report(
 
     need("report", "mcap", "jinja2", "matplotlib")
     from bumpless.review.report import report_of
+    from bumpless_server.scene.hull_picture import hull_picture
 
     target = out or log.with_suffix(".html")
     try:
-        text = report_of(log)
+        text = report_of(log, hull_picture)
     except ValueError as error:
         typer.echo(f"{log}: {error}", err=True)
         raise typer.Exit(1) from error

@@ -12,7 +12,7 @@ import typer
 from bumpless.contract.exits import BROKEN, NOT_AS_REQUIRED, REFUSED
 
 if TYPE_CHECKING:
-    from bumpless import Problem, Run
+    from bumpless import Mission, Problem, Run
     from bumpless.campaign.replay import Replay
     from bumpless.metrics import Columns
 
@@ -31,6 +31,10 @@ def run(
     ] = None,
     draw: Annotated[
         int | None, typer.Option(min=0, help="The file is a campaign: fly this number of it.")
+    ] = None,
+    charts: Annotated[
+        Path | None,
+        typer.Option(help="Folder of depth grids, beside the mission's own, such as data/charts."),
     ] = None,
     require: Annotated[
         str | None,
@@ -57,7 +61,7 @@ def run(
     try:
         if draw is None:
             who = None if vehicle is None else bumpless.load_vehicle(vehicle)
-            flown, numbers, alter = bumpless.load_mission(mission, who), tables, None
+            flown, numbers, alter = _laid(bumpless.load_mission(mission, who), mission, charts), tables, None
         else:
             flown, who, numbers, alter = _drawn(mission, draw, tables)
         fly = partial(bumpless.fly, vehicle=who, seed=seed, parameters=numbers, alter=alter)
@@ -97,6 +101,20 @@ def _wanted(require: str | None) -> list[str]:
         said = f"{strange[0]!r}: must be one or more of {', '.join(known)}"
         raise typer.BadParameter(said, param_hint="--require")
     return named
+
+
+def _laid(mission: "Mission", path: Path, charts: Path | None) -> "Mission":
+    """The mission with its depth grid, of whatever kind it is; raises ProblemsError."""
+    if mission.sea_floor is None or mission.depth_grid is not None:
+        return mission
+    from bumpless import MissionError, Problem
+    from bumpless_server.plan.charts.beside import laid
+    from bumpless_server.plan.charts.content import NotAChart
+
+    try:
+        return laid(mission, path.parent, charts)
+    except NotAChart as error:
+        raise MissionError([Problem(path.name, None, None, "sea_floor.grid", None, str(error))]) from error
 
 
 def _drawn(path: Path, number: int, changes: dict[str, dict[str, Any]]) -> "Replay":

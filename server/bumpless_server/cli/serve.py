@@ -16,6 +16,7 @@ def run(settings: Settings) -> int:
     import uvicorn
 
     from bumpless.config.vehicle import VehicleError
+    from bumpless_server.access.accounts import AccountsError
     from bumpless_server.console import Console
     from bumpless_server.data_dir import DataDirError
     from bumpless_server.live.bus import BusError
@@ -35,10 +36,10 @@ def run(settings: Settings) -> int:
     try:
         console = Console(settings)
         console.start()
-        config = server_config(create_app(settings, console), console.tally.note)
+        config = server_config(create_app(settings, console), console.tally.note, settings)
         _announce(settings, listener)
         uvicorn.Server(config).run(sockets=[listener])
-    except (BusError, DataDirError, VehicleError) as error:
+    except (AccountsError, BusError, DataDirError, VehicleError) as error:
         return _fault(str(error))
     except OSError as error:
         return _fault(f"cannot be started: {error}")
@@ -66,12 +67,13 @@ def _why(error: OSError, settings: Settings) -> str:
 
 def _announce(settings: Settings, listener: socket.socket) -> None:
     host, port = settings.host, listener.getsockname()[1]
-    if not settings.loopback and settings.token is None:
+    if settings.plain_http and not settings.loopback:
         logging.getLogger("server").warning(
-            "everyone who reaches %s can command the vehicle; set BUMPLESS_TOKEN to ask for a token", host
+            "passwords come to %s without TLS: publish its port to loopback alone", host
         )
+    scheme = "https" if settings.tls_cert else "http"
     shown = {"0.0.0.0": "localhost", "::": "localhost"}.get(host, f"[{host}]" if ":" in host else host)
-    _say(f"Bumpless is at http://{shown}:{port}/  (Ctrl-C ends it)")
+    _say(f"Bumpless is at {scheme}://{shown}:{port}/  (Ctrl-C ends it)")
 
 
 def _say(text: str) -> None:

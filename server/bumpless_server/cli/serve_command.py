@@ -21,6 +21,9 @@ def serve(
     zenoh_connect: Annotated[
         list[str] | None, typer.Option(help="Endpoint of the bus to connect to.")
     ] = None,
+    zenoh_config: Annotated[
+        Path | None, typer.Option(help="Zenoh configuration of the bus, instead of the endpoints.")
+    ] = None,
     scene: Annotated[str | None, typer.Option(help="full, light or off.  [default: full]")] = None,
 ) -> None:
     """Serve the console and start the vehicle.
@@ -40,6 +43,7 @@ def serve(
         "manage_node": manage_node,
         "zenoh_listen": tuple(zenoh_listen) if zenoh_listen else None,
         "zenoh_connect": tuple(zenoh_connect) if zenoh_connect else None,
+        "zenoh_config": zenoh_config,
         "scene": scene,
     }
     try:

@@ -1,5 +1,6 @@
 """`bumpless validate`: are these mission files fit to fly?"""
 
+import hashlib
 import json
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -17,6 +18,13 @@ def validate(
         bool,
         typer.Option("--stability", help="Also warn of an unproven dwell time; some time per file."),
     ] = False,
+    charts: Annotated[
+        Path | None,
+        typer.Option(
+            help="Folder of depth grids, such as data/charts; a mission's own folder is looked in too.",
+            file_okay=False,
+        ),
+    ] = None,
     schema: Annotated[
         bool, typer.Option("--schema", help="Print the JSON Schema of missions and end.")
     ] = False,
@@ -25,8 +33,9 @@ def validate(
 
     Every fault is one line: file:line:column: field = value; rule. What the vehicle can't do in the
     mission's current and time is a finding: an error where it can't work, a warning where it is
-    unlikely, with the nearest change that would. With --stability, a dwell time that no Lyapunov
-    function proves long enough is a warning.
+    unlikely, with the nearest change that would. A depth grid that a mission names is looked for beside
+    its file and in --charts. With --stability, a dwell time that no Lyapunov function proves long enough
+    is a warning.
 
     Exit code 1 when a file has a fault or an error, or can't be read; the others are answered all the
     same.
@@ -39,7 +48,7 @@ def validate(
     if not files:
         typer.echo("bumpless validate: name at least one mission file", err=True)
         raise typer.Exit(2)
-    results = [_checked(path, stability) for path in files]
+    results = [_checked(path, stability, charts) for path in files]
     if not as_json:
         for result in results:
             _say(result)
@@ -49,21 +58,34 @@ def validate(
         raise typer.Exit(1)
 
 
-def _checked(path: Path, stability: bool) -> dict[str, Any]:
+def _checked(path: Path, stability: bool, charts: Path | None) -> dict[str, Any]:
     """The answer for one file, which is whole whatever the file is."""
     from bumpless.config.mission import parse_mission
-    from bumpless.config.problems import Problem
     from bumpless_server.foresight.checked import checked
+    from bumpless_server.plan.charts.beside import laid
+    from bumpless_server.plan.charts.content import NotAChart
 
     try:
         data = path.read_bytes()
     except OSError as error:
-        problem = Problem(str(path), None, None, "", None, f"cannot be read: {error.strerror or error}")
-        told = {"file": str(path), "sha256": "", "ok": False, "problems": [problem.as_dict()]}
-        return {**told, "findings": [], "warnings": []}
-    found = checked(data, str(path))
+        return _unread(path, f"cannot be read: {error.strerror or error}")
+    try:
+        found = checked(data, str(path), lay=lambda mission: laid(mission, path.parent, charts))
+    except NotAChart as error:
+        return _unread(path, str(error), "sea_floor.grid", hashlib.sha256(data).hexdigest())
+    except Exception as error:  # one odd file costs no answer of the others
+        why = f"cannot be checked: {type(error).__name__}: {error}"
+        return _unread(path, why, sha256=hashlib.sha256(data).hexdigest())
     read = stability and not found["problems"]
     return {**found, "warnings": _warnings(parse_mission(data, str(path))) if read else []}
+
+
+def _unread(path: Path, rule: str, field: str = "", sha256: str = "") -> dict[str, Any]:
+    from bumpless.config.problems import Problem
+
+    problem = Problem(str(path), None, None, field, None, rule).as_dict()
+    told = {"file": str(path), "sha256": sha256, "ok": False, "problems": [problem]}
+    return {**told, "findings": [], "warnings": []}
 
 
 def _say(result: dict[str, Any]) -> None:

@@ -16,6 +16,18 @@ def vehicle(
     mode: Annotated[
         str | None, typer.Option(help="Zenoh mode, peer or client.  [default: as the endpoints need]")
     ] = None,
+    zenoh_config: Annotated[
+        Path | None,
+        typer.Option(
+            exists=True,
+            dir_okay=False,
+            help="Zenoh configuration, such as `bumpless keys` makes; instead of the endpoints.",
+        ),
+    ] = None,
+    memory: Annotated[
+        Path | None,
+        typer.Option(dir_okay=False, help="File by which a node back from a crash knows that it was flying."),
+    ] = None,
     mission: Annotated[
         Path | None, typer.Option(exists=True, dir_okay=False, help="Mission to fly at once.")
     ] = None,
@@ -48,5 +60,7 @@ def vehicle(
             realtime=realtime,
             mission=mission,
             mode=mode,
+            zenoh_config=zenoh_config,
+            memory=memory,
         )
     )

@@ -3,6 +3,7 @@
 import hashlib
 import threading
 from collections import OrderedDict
+from collections.abc import Callable
 from typing import Any
 
 from bumpless.config.mission import Mission
@@ -10,19 +11,28 @@ from bumpless.config.problems import ProblemsError
 from bumpless.config.vehicle import Vehicle
 from bumpless_server.foresight.findings import findings_of
 from bumpless_server.foresight.told import ForesightFinding
+from bumpless_server.plan.charts.store import Charts
 from bumpless_server.plan.missions import parse_planned
 
 MOST_KEPT = 64
 
 
-def checked(data: bytes, source: str, present: Vehicle | None = None) -> dict[str, Any]:
+def bare(mission: Mission) -> Mission:
+    """The mission without a depth grid."""
+    return mission
+
+
+def checked(
+    data: bytes, source: str, present: Vehicle | None = None, lay: Callable[[Mission], Mission] = bare
+) -> dict[str, Any]:
     """{file, sha256, ok, problems, findings} of a mission file, as `bumpless validate --json` prints it.
 
-    present: the vehicle on the bus, which stands in for the file of its name.
+    present: the vehicle on the bus, which stands in for the file of its name. lay: finds the depth grid that
+    the mission names.
     """
     told: dict[str, Any] = {"file": source, "sha256": hashlib.sha256(data).hexdigest()}
     try:
-        mission = parse_planned(data, source, present)
+        mission = lay(parse_planned(data, source, present))
         findings = findings_of(mission, flying(mission, present))
     except ProblemsError as error:
         problems = [problem.as_dict() for problem in error.problems]
@@ -39,14 +49,16 @@ def flying(mission: Mission, present: Vehicle | None) -> Vehicle | None:
 class Findings:
     """Findings of missions as they stand, worked out once for each text and vehicle."""
 
-    def __init__(self) -> None:
-        self._kept: OrderedDict[tuple[str, str], list[ForesightFinding]] = OrderedDict()
+    def __init__(self, charts: Charts) -> None:
+        self._charts = charts
+        self._kept: OrderedDict[tuple[str, str, str], list[ForesightFinding]] = OrderedDict()
         self._lock = threading.Lock()
 
     def of(self, mission: Mission, present: Vehicle | None) -> list[ForesightFinding]:
         """The findings, hard ones first. Takes tens of milliseconds of Python the first time."""
-        vehicle = flying(mission, present)
-        key = (mission.sha256, vehicle.sha256 if vehicle is not None else "")
+        vehicle, mission = flying(mission, present), self._charts.laid(mission)
+        grid = mission.depth_grid
+        key = (mission.sha256, vehicle.sha256 if vehicle else "", grid.sha256 if grid is not None else "")
         with self._lock:
             if key not in self._kept:
                 self._kept[key] = findings_of(mission, vehicle)

@@ -5,9 +5,9 @@ import contextlib
 import logging
 import os
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
-from bumpless_server.foresight.tasks import Head, Task
+from bumpless_server.foresight.tasks import Head, Line
 
 log = logging.getLogger(__name__)
 
@@ -20,17 +20,19 @@ Heard = Callable[["Worker", Head, bytes], None]
 class Worker:
     """One process. `heard` is told each answer, `ended` that the process is gone; both on the loop."""
 
-    def __init__(self, heard: Heard, ended: Callable[["Worker"], None]) -> None:
-        self.task: Task | None = None  # what it does now
+    def __init__(
+        self, heard: Heard, ended: Callable[["Worker"], None], command: Sequence[str] = COMMAND
+    ) -> None:
+        self.task: Line | None = None  # what it does now
         self.stopping = False  # told to give its task up
-        self._heard, self._ended = heard, ended
+        self._heard, self._ended, self._command = heard, ended, command
         self._process: asyncio.subprocess.Process | None = None
         self._reading: asyncio.Task[None] | None = None
 
     async def start(self) -> None:
         """Start the process. Raises OSError."""
         self._process = await asyncio.create_subprocess_exec(
-            *COMMAND,
+            *self._command,
             stdin=asyncio.subprocess.PIPE,
             stdout=asyncio.subprocess.PIPE,
             limit=LONGEST_LINE,
@@ -38,7 +40,7 @@ class Worker:
         )
         self._reading = asyncio.create_task(self._read(self._process))
 
-    def give(self, task: Task) -> None:
+    def give(self, task: Line) -> None:
         """Begin a task; there must be none."""
         self.task, self.stopping = task, False
         self._write(task.model_dump_json().encode() + b"\n")

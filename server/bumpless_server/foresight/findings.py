@@ -1,9 +1,15 @@
 """What stands against a plan, each with its place in the text and the changes that mend it."""
 
+import numpy as np
+
 import bumpless
+from bumpless.chart import floor_of
 from bumpless.config.text import BOM
+from bumpless.config.vehicle import load_vehicle
 from bumpless.config.yaml_text import YamlText
-from bumpless_server.foresight.told import ForesightFinding, ForesightMend
+from bumpless.metrics.floor import below
+from bumpless_server.foresight.forecast import known, shown_rows
+from bumpless_server.foresight.told import ForesightFinding, ForesightFloor, ForesightMend
 
 
 def findings_of(mission: bumpless.Mission, vehicle: bumpless.Vehicle | None = None) -> list[ForesightFinding]:
@@ -31,4 +37,24 @@ def told(finding: bumpless.Finding, file: YamlText) -> ForesightFinding:
             )
             for mend in finding.mends
         ],
+    )
+
+
+def floor_below(mission: bumpless.Mission, vehicle: bumpless.Vehicle | None = None) -> ForesightFloor | None:
+    """The sea floor along the planned legs; None where the mission names none or it is not known."""
+    floor = floor_of(mission)
+    if floor is None or mission.sea_floor is None:
+        return None
+    found = below(np.array(mission.path_ned_m), vehicle or load_vehicle(mission.vehicle), floor)
+    rows = shown_rows(len(found.along))
+    places = found.places[rows].round(2)
+    charted = np.isfinite(found.clearance).any()
+    return ForesightFloor(
+        along_m=found.along[rows].round(2).tolist(),
+        north_m=places[:, 0].tolist(),
+        east_m=places[:, 1].tolist(),
+        depth_m=places[:, 2].tolist(),
+        floor_m=known(found.floor[rows]),
+        wanted_m=mission.sea_floor.clearance_m,
+        least_m=round(float(np.nanmin(found.clearance)), 2) if charted else None,
     )

@@ -9,11 +9,13 @@ import numpy as np
 import numpy.typing as npt
 
 import bumpless
+from bumpless.chart import Floor, floor_of
 from bumpless.config.vehicle import Vehicle
 from bumpless.contract.enums import HOVER
 from bumpless.contract.modes import MODE_LETTERS
 from bumpless.contract.units import EDGE_PER_SI
 from bumpless.metrics import Columns
+from bumpless.metrics.floor import floor_clearance, least_clearance
 from bumpless_server.foresight.margin import margins
 from bumpless_server.foresight.plan import Plan
 from bumpless_server.foresight.told import (
@@ -33,15 +35,16 @@ def nominal(plan: Plan, request_id: int, elapsed_ms: float = 0.0) -> ForesightNo
     mission = plan.mission
     run = bumpless.fly(mission, plan.vehicle, seed=mission.seed, parameters=plan.parameters, started_ns=0)
     metrics, columns = run.metrics, run.columns
-    hover = np.flatnonzero(columns.mode == HOVER)
+    hover, floor = np.flatnonzero(columns.mode == HOVER), floor_of(mission)
     return ForesightNominal(
         id=request_id,
-        track=track_of(columns, plan.vehicle),
+        track=track_of(columns, plan.vehicle, floor),
         switches=switches_of(columns),
         outcome=ForesightOutcome.model_validate(run.outcome.as_dict()),
         arrival_s=float(columns.time[hover[0]]) if len(hover) else None,
         energy_j=metrics.shaft_energy_j,
         length_m=float(np.linalg.norm(np.diff(columns.eta[:, :3], axis=0), axis=1).sum()),
+        least_clearance_m=least_clearance(columns.eta, plan.vehicle, floor),
         sha256=mission.sha256,
         seed=mission.seed,
         tuned=plan.tuned,
@@ -72,7 +75,7 @@ def _named(columns: Any, within: str) -> Iterator[tuple[str, npt.NDArray[Any]]]:
             raise TypeError(f"{name} is no column")
 
 
-def track_of(columns: Columns, vehicle: Vehicle) -> ForesightTrack:
+def track_of(columns: Columns, vehicle: Vehicle, floor: Floor | None = None) -> ForesightTrack:
     """At most 600 cycles: evenly spread, first and last among them."""
     rows = shown_rows(len(columns))
     eta, nu = columns.eta[rows], columns.nu[rows]
@@ -89,7 +92,14 @@ def track_of(columns: Columns, vehicle: Vehicle) -> ForesightTrack:
         saturation=_short(share, 3),
         worst_actuator=worst,
         margin=_short(margins(columns.tau_d[rows], columns.nu_r_hat[rows, 0], vehicle), 3),
+        floor_m=known(floor.depth(eta[:, 0], eta[:, 1])) if floor else [],
+        clearance_m=known(floor_clearance(eta, vehicle, floor)) if floor else [],
     )
+
+
+def known(values: Floats) -> list[float | None]:
+    """Rounded for a message; None where it is not known."""
+    return [float(value) if np.isfinite(value) else None for value in values.round(2)]
 
 
 def shown_rows(count: int, most: int = MOST_POINTS) -> npt.NDArray[np.intp]:

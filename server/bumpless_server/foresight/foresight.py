@@ -13,11 +13,12 @@ import logging
 import os
 from collections.abc import AsyncIterator, Awaitable, Callable
 from contextlib import asynccontextmanager
+from pathlib import Path
 
 from pydantic import ValidationError
 
 from bumpless.campaign.summary import share_of
-from bumpless_server.foresight.crew import Worker
+from bumpless_server.foresight.crew import COMMAND, Worker
 from bumpless_server.foresight.job import Job, Present
 from bumpless_server.foresight.tasks import Head, Task
 from bumpless_server.foresight.told import ForesightDone, ForesightFailed
@@ -59,10 +60,16 @@ class Client:
 
 
 class Foresight:
-    """All planners and all workers. To be used on one loop; nothing runs before the first client comes."""
+    """All planners and all workers. To be used on one loop; nothing runs before the first client comes.
 
-    def __init__(self, present: Callable[[], Present] = Present, workers: int = WORKERS) -> None:
+    charts: folder of the depth grids that missions may name.
+    """
+
+    def __init__(
+        self, present: Callable[[], Present] = Present, workers: int = WORKERS, charts: Path | None = None
+    ) -> None:
         self._present, self._most = present, workers
+        self._command = COMMAND if charts is None else (*COMMAND, str(charts))
         self._clients: list[Client] = []
         self._workers: list[Worker] = []
         self._doing: dict[int, tuple[Client, Job]] = {}  # by the task's number
@@ -117,7 +124,7 @@ class Foresight:
         async with self._starting:
             await asyncio.to_thread(share_of, 0, 0)  # it loads a large library, which the loop must not
             while len(self._workers) < self._most:
-                worker = Worker(self._heard, self._ended)
+                worker = Worker(self._heard, self._ended, self._command)
                 try:
                     await worker.start()
                 except OSError as error:
@@ -185,7 +192,7 @@ class Foresight:
         self._workers.remove(worker)
         task = worker.task
         client, job = self._doing.pop(task.number, (None, None)) if task is not None else (None, None)
-        if task is not None and task.kind == "warm":  # it never came up, and the next would not either
+        if isinstance(task, Task) and task.kind == "warm":  # it never came up, and the next would not either
             log.error("a foresight worker ended before it was ready")
             for one in self._clients:
                 self._fail(one, one.job, "no process can be started that flies it")

@@ -26,7 +26,7 @@ def margins(tau_d: Floats, surge_mps: Floats, vehicle: Vehicle) -> Floats:
     used = np.zeros(len(tau_d))
     for one in np.unique(bins):
         rows = bins == one
-        force, moment = _supports(vehicle, int(one))
+        force, moment = supports(vehicle, int(one))
         used[rows] = np.maximum(_gauge(tau_d[rows, :3], force), _gauge(tau_d[rows, 3:], moment))
     return np.clip(1.0 - used, 0.0, 1.0)
 
@@ -36,7 +36,11 @@ def _gauge(demand: Floats, support: Floats) -> Floats:
     return (demand @ support.T).max(axis=1, initial=0.0)
 
 
-def _supports(vehicle: Vehicle, speed_bin: int) -> tuple[Floats, Floats]:
+def supports(vehicle: Vehicle, speed_bin: int) -> tuple[Floats, Floats]:
+    """Force and moment set at `speed_bin` times STEP_MPS, each as rows d / h(d), the axes' own among them.
+
+    Inside is where all rows @ tau are at most 1.
+    """
     key = (vehicle.sha256, speed_bin)
     if key not in _kept:
         if len(_kept) >= _MOST_KEPT:

@@ -11,13 +11,22 @@ from pydantic import BaseModel
 from bumpless_server.foresight.wanted import ForesightRequest
 
 Kind = Literal["warm", "nominal", "findings", "fan"]
-Told = Literal["problems", "nominal", "findings", "flights", "none"]  # none: an empty body
+Told = Literal["problems", "nominal", "findings", "flights", "ahead", "none"]  # none: an empty body
 
 
-class Task(BaseModel):
-    """Work for one worker."""
+class GivenUp(Exception):
+    """Something newer waits."""
+
+
+class Line(BaseModel):
+    """Work for one worker, on its line down."""
 
     number: int  # of the task, for the server's own order
+
+
+class Task(Line):
+    """Work on a mission that is being planned."""
+
     kind: Kind
     request: ForesightRequest | None = None
     present: str = ""  # the vehicle on the bus, TOML; "" when it has not described itself

@@ -60,6 +60,8 @@ class ForesightTrack(Told):
     saturation: list[float]  # the most used command over its bound, 0 to 1
     worst_actuator: list[str]  # whose command that is
     margin: list[float]  # the part of the attainable set that the demand leaves, 0 to 1
+    floor_m: list[float | None]  # depth of the sea floor below; null: unknown; empty: the mission names none
+    clearance_m: list[float | None]  # from the hull's lowest point to the floor
 
 
 class ForesightSwitch(Told):
@@ -103,12 +105,25 @@ class ForesightProblems(Told):
     problems: list[ForesightProblem]
 
 
+class ForesightFloor(Told):
+    """The sea floor along the planned legs, at most 600 places of them."""
+
+    along_m: list[float]  # from the start, in the plane
+    north_m: list[float]
+    east_m: list[float]
+    depth_m: list[float]  # of the plan
+    floor_m: list[float | None]  # null: unknown
+    wanted_m: float  # least clearance that the mission asks for
+    least_m: float | None  # clearance of the plan, hull below its axis included
+
+
 class ForesightFindings(Told):
     """What stands against the plan, hard ones first."""
 
     id: int
     kind: Literal["findings"] = "findings"
     findings: list[ForesightFinding]
+    floor: ForesightFloor | None  # null: the mission names no sea floor, or it is not known
 
 
 class ForesightNominal(Told):
@@ -122,6 +137,7 @@ class ForesightNominal(Told):
     arrival_s: float | None  # first time in hover; null: never
     energy_j: float  # at the shafts
     length_m: float  # of the way flown
+    least_clearance_m: float | None  # above the sea floor; null: not known
     sha256: str  # of the text's bytes
     seed: int
     tuned: bool  # flown with what the operator tuned the vehicle with, not with its defaults
@@ -137,6 +153,7 @@ class ForesightFlight(Told):
     outcome: str
     end_s: float
     closest_m: float  # the nose, to the marker
+    clearance_m: float | None  # least, above the sea floor; null: not known
     north_m: list[float]
     east_m: list[float]
     depth_m: list[float]

@@ -2,7 +2,9 @@
 
 import time
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from functools import lru_cache
+from pathlib import Path
 
 from bumpless.campaign.flight import Hangar
 from bumpless.campaign.ready import ready
@@ -10,19 +12,16 @@ from bumpless.config.mission import missions_folder
 from bumpless.config.problems import Problem, ProblemsError
 from bumpless.config.vehicle import Vehicle, VehicleError, parse_vehicle
 from bumpless_server.foresight import fan
-from bumpless_server.foresight.findings import findings_of
+from bumpless_server.foresight.findings import findings_of, floor_below
 from bumpless_server.foresight.forecast import nominal
 from bumpless_server.foresight.plan import Plan, plan_of
-from bumpless_server.foresight.tasks import Task, Told
+from bumpless_server.foresight.tasks import GivenUp, Task, Told
 from bumpless_server.foresight.told import ForesightFindings, ForesightProblem, ForesightProblems
 from bumpless_server.foresight.wanted import ForesightRequest
+from bumpless_server.plan.charts.store import Charts
 
 LONGEST_S = 3600.0  # of a mission: its log must fit into memory
 Answer = tuple[Told, str]  # kind and body
-
-
-class GivenUp(Exception):
-    """Something newer waits."""
 
 
 class TooLong(ValueError):
@@ -32,9 +31,14 @@ class TooLong(ValueError):
 class Work:
     """One worker's tasks. `newer()` tells whether another line waits."""
 
-    def __init__(self, newer: Callable[[], bool]) -> None:
+    def __init__(self, newer: Callable[[], bool], charts: Path | None = None) -> None:
         self._newer, self._hangar = newer, Hangar()
+        self._charts = Charts(charts) if charts is not None else None
         self._plan: tuple[str, Plan] | None = None
+
+    def read(self, line: bytes) -> Task:
+        """The task of a line."""
+        return Task.model_validate_json(line)
 
     def answers(self, task: Task) -> Iterator[Answer]:
         """The task's answers. Raises GivenUp between two flights when something newer waits."""
@@ -50,7 +54,11 @@ class Work:
                 yield "problems", _problems(task.request.id, error)
             return
         if task.kind == "findings":
-            found = ForesightFindings(id=task.request.id, findings=findings_of(plan.mission, plan.vehicle))
+            found = ForesightFindings(
+                id=task.request.id,
+                findings=findings_of(plan.mission, plan.vehicle),
+                floor=floor_below(plan.mission, plan.vehicle),
+            )
             yield "findings", found.model_dump_json()
             return
         if plan.mission.duration_s > LONGEST_S:
@@ -92,7 +100,12 @@ class Work:
         key = task.request.model_dump_json(exclude={"id", "flights"}) + task.present + task.tuned
         if self._plan is None or self._plan[0] != key:
             self._plan = key, plan_of(task.request, _present(task.present), bytes.fromhex(task.tuned))
-        return self._plan[1]
+        return self._laid(self._plan[1])
+
+    def _laid(self, plan: Plan) -> Plan:
+        """The plan over its sea floor as it is stored now."""
+        mission = self._charts.laid(plan.mission) if self._charts is not None else plan.mission
+        return plan if mission is plan.mission else replace(plan, mission=mission)
 
 
 @lru_cache(maxsize=4)

@@ -1,4 +1,4 @@
-"""A worker: `python -m bumpless_server.foresight.worker`. It flies what the server asks on its input.
+"""A worker: `python -m bumpless_server.foresight.worker [CHARTS]`. It flies what its input asks.
 
 It gives way to every other process, keeps its compiled code warm, and ends with its input, so that it never
 outlives its server.
@@ -8,9 +8,12 @@ import os
 import select
 import signal
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any, Protocol
 
-from bumpless_server.foresight.tasks import Head, Task
+from bumpless_server.foresight import tasks
+from bumpless_server.foresight.tasks import GivenUp, Head
 
 NICE = 10
 
@@ -36,15 +39,28 @@ class Line:
         return line
 
 
-def serve(lines: Line, tell: Callable[[Head, str], None]) -> None:
-    """Carry out tasks until the input ends; the last of several that wait is the one that counts."""
-    from bumpless_server.foresight.work import GivenUp, Work
+class Works(Protocol):
+    """What a worker can do; made once, so that it keeps what is dear."""
 
-    work = Work(lines.waits)
+    def read(self, line: bytes) -> tasks.Line:
+        """The task of a line."""
+        ...
+
+    def answers(self, task: Any) -> Iterator[tuple[tasks.Told, str]]:
+        """The task's answers, kind and body. Raises GivenUp between flights when a newer waits."""
+        ...
+
+
+Make = Callable[[Callable[[], bool]], Works]  # handed whether another line waits
+
+
+def serve(lines: Line, tell: Callable[[Head, str], None], make: Make) -> None:
+    """Carry out tasks until the input ends; the last of several that wait is the one that counts."""
+    work = make(lines.waits)
     while line := lines.next():
         if line == b"stop":  # what it should stop is over already
             continue
-        task = Task.model_validate_json(line)
+        task = work.read(line)
         try:
             for kind, body in work.answers(task):
                 tell(Head(number=task.number, kind=kind), body)
@@ -55,7 +71,7 @@ def serve(lines: Line, tell: Callable[[Head, str], None]) -> None:
             tell(Head(number=task.number, end=True, failed=f"{type(fault).__name__}: {fault}"), "")
 
 
-def main() -> None:
+def main(make: Make) -> None:
     """Give way, then serve."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the server, whose end is ours
     os.nice(NICE)
@@ -68,10 +84,14 @@ def main() -> None:
             rest = rest[os.write(out, rest) :]
 
     try:
-        serve(Line(0), tell)
+        serve(Line(0), tell, make)
     except BrokenPipeError:
         sys.exit(0)
 
 
 if __name__ == "__main__":
-    main()
+    from bumpless_server.foresight.work import Work
+
+    # the argument: the folder of the depth grids that missions may name
+    charts = Path(sys.argv[1]) if len(sys.argv) > 1 else None
+    main(lambda newer: Work(newer, charts))

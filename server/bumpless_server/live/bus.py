@@ -3,22 +3,27 @@
 import contextlib
 import logging
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from pathlib import Path
 from typing import Any
 
 import zenoh
+import zenoh.ext
 from google.protobuf.message import Message
 
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract import keys
-from bumpless.contract.session import session_config
+from bumpless.contract.session import asks_for_keys, endpoints_of, session_config, session_file
 from bumpless_server.live.ask import NoAnswer, Question
 from bumpless_server.live.intake import HEARD, Rival, most_bytes
+from bumpless_server.live.open_bus import bus_notice
 from bumpless_server.live.sample import Sample
 from bumpless_server.live.speaker import Speaker
 from bumpless_server.live.tally import Tally
 
 log = logging.getLogger(__name__)
+# of the publishers' last ones too: some topics are said once in a while
+ASK_FOR_MISSED = zenoh.ext.RecoveryConfig(periodic_queries=None, heartbeat=True)
 
 
 class BusError(RuntimeError):
@@ -28,7 +33,8 @@ class BusError(RuntimeError):
 class Bus:
     """One session for one vehicle. `on_sample` and `on_alive` run on Zenoh's thread: enqueue only.
 
-    `rival` hears of answers by somebody else than the vehicle.
+    `rival` hears of answers by somebody else than the vehicle. `config` is a Zenoh configuration file to use
+    instead of the endpoints. Raises BusError when it is none.
     """
 
     def __init__(
@@ -41,27 +47,29 @@ class Bus:
         speaker: Speaker,
         tally: Tally,
         rival: Rival = lambda session, said: None,
+        config: Path | None = None,
     ) -> None:
         self.vehicle_id = vehicle_id
         self._speaker, self._tally, self._rival = speaker, tally, rival
         self._on_sample = on_sample
         self._on_alive = on_alive
-        self._listen, self._connect = listen, connect
+        self._config, self._at = _configured(listen, connect, config)
+        # in words while strangers may speak here, "" when they can't
+        dialled, listened = endpoints_of(self._config)
+        self.notice = bus_notice(listened, dialled, asks_for_keys(self._config))
         self._session: zenoh.Session | None = None
         self._held: list[Any] = []  # subscribers live as long as they are referenced
 
     def open(self) -> None:
         """Open the session and subscribe. Raises BusError with one line for the operator."""
         try:
-            session = zenoh.open(session_config("peer", self._connect, self._listen))
+            session = zenoh.open(self._config)
         except zenoh.ZError as error:
-            raise BusError(
-                f"cannot open the bus on {', '.join(self._listen) or 'no endpoint'}: {error}"
-            ) from error
+            raise BusError(f"cannot open the bus on {self._at}: {error}") from error
         self._session = session
         self._held = [
-            session.declare_subscriber(keys.telemetry(self.vehicle_id, "*"), self._receive),
-            session.declare_subscriber(keys.event(self.vehicle_id), self._receive),
+            *self._hear(session, keys.telemetry(self.vehicle_id, "*")),
+            *self._hear(session, keys.event(self.vehicle_id)),
             session.liveliness().declare_subscriber(
                 keys.claim(self.vehicle_id, "*", "*"), self._claims, history=True
             ),
@@ -69,6 +77,16 @@ class Bus:
                 keys.alive(self.vehicle_id), self._liveliness, history=True
             ),
         ]
+
+    def _hear(self, session: zenoh.Session, key: str) -> list[Any]:
+        """Hear what is said on `key`; what a cut of the link swallowed is asked for, up to what is kept."""
+        subscriber = zenoh.ext.declare_advanced_subscriber(
+            session, key, self._receive, recovery=ASK_FOR_MISSED
+        )
+        return [subscriber, subscriber.sample_miss_listener(self._missed)]
+
+    def _missed(self, miss: zenoh.ext.Miss) -> None:
+        self._tally.note("missed", f"{miss.nb} in a row by session {miss.source.zid}", miss.nb)
 
     def close(self) -> None:
         """Leave the bus. A session left open would keep the interpreter from exiting."""
@@ -125,3 +143,13 @@ class Bus:
         present = sample.kind == zenoh.SampleKind.PUT
         self._speaker.token(present)
         self._on_alive(present)
+
+
+def _configured(listen: Sequence[str], connect: Sequence[str], file: Path | None) -> tuple[zenoh.Config, str]:
+    """The session's configuration, and where it is in words."""
+    if file is None:
+        return session_config("peer", connect, listen), ", ".join(listen) or "no endpoint"
+    try:
+        return session_file(file), f"the endpoints of {file}"
+    except (OSError, ValueError) as error:
+        raise BusError(f"cannot open the bus: {error}") from error

@@ -12,7 +12,8 @@ MOST = 256
 class VehicleClock:
     """Offset of the vehicle's UNIX time against ours.
 
-    A message can only come late, never early: the largest difference of the last seconds is the truest.
+    A message can only come late, never early: the largest difference of the last seconds is the truest. After
+    a silence come messages that waited meanwhile; what was measured before it counts for so long again.
     """
 
     def __init__(self, now: Callable[[], float] = time.monotonic) -> None:
@@ -25,6 +26,9 @@ class VehicleClock:
         """Take in one message: when it was made by the vehicle's clock, and received by ours."""
         now = self._now()
         with self._lock:
+            if self._seen and now - self._seen[-1][0] > WINDOW_S / 2:
+                self._seen.clear()
+                self._seen.append((now, self._offset_ns))
             while self._seen and now - self._seen[0][0] > WINDOW_S:
                 self._seen.popleft()
             self._seen.append((now, stamp_ns - receive_ns))

@@ -7,12 +7,15 @@ _PLAIN_LOCAL = re.compile(r"\w+/(127\.[\d.]+|localhost|\[::1\]):\d+")
 _KEYED = ("tls/", "quic/")
 
 
-def bus_notice(listen: Sequence[str], connect: Sequence[str]) -> str:
-    """One sentence while the bus reaches a network without keys; "" when only key holders can."""
+def bus_notice(listen: Sequence[str], connect: Sequence[str], asks_for_keys: bool = False) -> str:
+    """One sentence while the bus reaches a network without keys; "" when only key holders can.
+
+    `asks_for_keys`: whoever comes over TLS must show a certificate; else its encryption keeps nobody out.
+    """
     bare = [
         endpoint
         for endpoint in (*listen, *connect)
-        if not _PLAIN_LOCAL.match(endpoint) and not endpoint.startswith(_KEYED)
+        if not _PLAIN_LOCAL.match(endpoint) and not (asks_for_keys and endpoint.startswith(_KEYED))
     ]
     if not bare:
         return ""

@@ -11,6 +11,8 @@ from bumpless.contract.messages import decoded
 EVENT = "event"
 STATUS = "server/status"
 ALARMS = "server/alarms"
+CONTROL = "server/control"
+AUDIT = "server/audit"
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,6 +1,7 @@
 """The mission library: files with their history, a bin, drafts and marks. Nothing that was saved is lost."""
 
 import threading
+from difflib import unified_diff
 
 from bumpless_server.data_dir import DataDir
 from bumpless_server.files import checked_name
@@ -105,6 +106,16 @@ class Library:
         if data is None:
             raise NoMission(f"there is no version {version!r} of {name!r}")
         return data
+
+    def difference(self, name: str, before: str, after: str = "") -> str:
+        """What changed from one saved version to another, or to the file as it is: a unified diff.
+
+        Raises BadName or NoMission.
+        """
+        old = self.version(name, before)
+        new = self.version(name, after) if after else self.get(name).data
+        was, now = (data.decode("utf-8", "replace").splitlines() for data in (old, new))
+        return "\n".join(unified_diff(was, now, before, after or "now", lineterm=""))
 
     def history(self, name: str) -> list[Version]:
         """Every saved version, newest first; also of a mission that was deleted. Raises BadName."""

@@ -16,7 +16,7 @@ from pathlib import Path
 
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.enums import COMPLETED, FLYING
-from bumpless.contract.keys import TOPICS
+from bumpless.contract.keys import FILLED_S, TOPICS
 from bumpless.contract.messages import stamp_of
 from bumpless.contract.names import RUN
 from bumpless.runs.info import ending_of
@@ -30,14 +30,17 @@ from bumpless_server.runs.disk_budget import DiskBudget
 
 log = logging.getLogger(__name__)
 
-FLUSH_S = 1.0
+FLUSH_S = 0.5
 PRE_ROLL = 1000  # messages kept while idle: a run's first cycles may precede its mission status
 PRE_ROLL_BYTES = 4_000_000
 LONGEST_PART = 120
+MOST_DEEDS, DEEDS_NS = 50, 10_000_000_000  # of the audit, kept for a run that begins within ten seconds
 HELD_EVERY_S = 1.0  # of a hold after a mission one cycle is kept in so long
 SETTLE_S = 0.5  # after the end, for the rest of the last cycle
 RETRY_S = 5.0  # after a disk without room, and the first time after a failing one
 MAX_RETRY_S = 300.0  # each try may leave a part of the run behind: twice as long each time, up to this
+
+LOST = "link to the vehicle lost"
 
 Say = Callable[[pb.Severity, str, str, dict[str, str]], None]
 
@@ -61,6 +64,7 @@ class Recorder:
         queue_messages: int = 20_000,
         queue_bytes: int = 64_000_000,
         budget: DiskBudget | None = None,
+        patience_s: float = FILLED_S,
     ) -> None:
         self._folder, self._say, self._closed, self._views = folder, say, closed, views
         self._queue: BoundedQueue[Sample | _LinkLost] = BoundedQueue(
@@ -72,11 +76,14 @@ class Recorder:
         self._context: dict[str, Sample] = {}
         self._recent: deque[Sample] = deque()
         self._recent_bytes = 0
+        self._deeds: deque[Sample] = deque(maxlen=MOST_DEEDS)  # of the audit
         self._speaker = ""  # the session whose run is recorded
         self._run: RunWriter | None = None
         self._dropped_before = 0
         self._end: tuple[pb.MissionStatus, float] | None = None  # last status and when to close
         self._flush_at = 0.0
+        self._patience_s = patience_s  # for a lost vehicle, which may come back with what was missed
+        self._lost_until: float | None = None
         self._holds = False  # what is recorded is a hold after a mission
         self._budget = budget or DiskBudget(folder)
         self._lack = ""  # of room on the disk
@@ -107,8 +114,12 @@ class Recorder:
         if sample.from_vehicle:
             self._queue.put(sample)
 
+    def note(self, sample: Sample) -> None:
+        """Take in what was done here, for the log of a run that goes on or begins just now."""
+        self._queue.put(sample)
+
     def link_lost(self) -> None:
-        """The vehicle is gone: the run's file is closed."""
+        """The vehicle is gone: the run's file waits for it for a while and is closed then."""
         self._queue.put(_LinkLost())
 
     @property
@@ -167,13 +178,15 @@ class Recorder:
     def _wait_s(self) -> float | None:
         if self._run is None:
             return None
-        due = self._flush_at if self._end is None else min(self._flush_at, self._end[1])
-        return max(0.0, due - time.monotonic())
+        ends = (self._flush_at, self._end and self._end[1], self._lost_until)
+        return max(0.0, min(due for due in ends if due is not None) - time.monotonic())
 
     def _on_time(self) -> None:
         now = time.monotonic()
         if self._end is not None and now >= self._end[1]:
             self._finish_ended()
+        if self._lost_until is not None and now >= self._lost_until:
+            self._finish(INTERRUPTED, LOST)
         if self._run is not None and now >= self._flush_at:
             self._run.flush()
             self._flush_at, self._failure = now + FLUSH_S, ""
@@ -181,17 +194,27 @@ class Recorder:
                 self._finish(INTERRUPTED, self._lack)
 
     def _handle(self, item: Sample | _LinkLost) -> None:
+        if isinstance(item, Sample) and not item.from_vehicle:
+            self._deeds.append(item)
+            if self._run is not None:
+                self._write(item)
+            return
         if isinstance(item, _LinkLost):
             if self._end is not None:
                 self._finish_ended()
-            self._finish(INTERRUPTED, "link to the vehicle lost")
+            if self._run is not None and self._speaker:
+                self._lost_until = time.monotonic() + self._patience_s
+            else:  # nobody will know whether it is the same vehicle that comes back
+                self._finish(INTERRUPTED, LOST)
             self._forget()
             return
         if self._run is not None and item.session != self._speaker:
             # the file ends as nobody's success: what the other says belongs to its own run
             self._end = None
-            self._finish(INTERRUPTED, "another session speaks for the vehicle")
+            lost = self._lost_until is not None
+            self._finish(INTERRUPTED, LOST if lost else "another session speaks for the vehicle")
             self._forget()
+        self._lost_until = None
         if item.topic == MISSION and self._is_after_end(item):
             self._finish_ended()
         if item.topic in CONTEXT:
@@ -268,6 +291,9 @@ class Recorder:
         for sample in self._recent:
             if not holds and sample.topic not in CONTEXT and self._belongs(sample, status):
                 self._write(sample)
+        for sample in self._deeds:  # the command that began it was answered before it began
+            if sample.receive_ns >= began_ns - DEEDS_NS:
+                self._write(sample, max(sample.receive_ns, began_ns))
         self._flush_at = time.monotonic() + FLUSH_S
         if any(run_id == status.run_id for _, run_id in self._told):
             what = f"Run {status.run_id} is being recorded again, as {run.id}"
@@ -293,7 +319,7 @@ class Recorder:
         self._finish(*ending_of(self._end[0]))
 
     def _finish(self, state: str, reason: str) -> None:
-        run, self._end = self._run, None
+        run, self._end, self._lost_until = self._run, None, None
         if run is None:
             return
         try:

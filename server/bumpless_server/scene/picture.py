@@ -16,6 +16,8 @@ from bumpless_server.scene.attainable import AttainableSets
 from bumpless_server.scene.cameras import Places, turned
 from bumpless_server.scene.current import CurrentView
 from bumpless_server.scene.envelopes import SetView
+from bumpless_server.scene.ghost_view import GhostView
+from bumpless_server.scene.ghosts import Ghosts
 from bumpless_server.scene.plan import PlanView
 from bumpless_server.scene.status import body_text, flown_mode, trail_mode
 from bumpless_server.scene.target import TargetView
@@ -41,6 +43,7 @@ class Picture:
         sets: AttainableSets,
         parse: Callable[[str], Any],
         light: bool,
+        ghosts: Ghosts | None = None,
     ) -> None:
         self._state, self._server, self._sets, self._parse, self._light = state, server, sets, parse, light
         scene = server.scene
@@ -60,6 +63,7 @@ class Picture:
         self.force = SetView(scene, "force", "attainable force", "XYZ", "N", palette.FORCE_SET)
         self.moment = SetView(scene, "moment", "attainable moment", "KMN", "N·m", palette.MOMENT_SET)
         self.label = scene.add_label("/view/status", "", position=(0.0, 0.0, -0.32), anchor="bottom-center")
+        self.ghosts = GhostView(scene, ghosts or Ghosts())
         self.vehicle: VehicleView | None = None
         self._described = ""
         self._drawn: dict[str, Message] = {}
@@ -106,6 +110,7 @@ class Picture:
             if self.vehicle is not None:
                 self.vehicle.remove()
             self.vehicle = VehicleView(self._server.scene, vehicle, self._light)
+            self.ghosts.describe(vehicle)
         self._sets.vehicle(vehicle)
 
     def _surroundings(self, live: bool) -> None:
@@ -145,6 +150,7 @@ class Picture:
             if self.vehicle is not None:
                 self.vehicle.turn(navigation.attitude)
         navigation = self._last("navigation", pb.Navigation)
+        self.ghosts.update(mission.run_id, navigation.stamp.mission_time_s)
         self.current.show(navigation, live)
         if self.vehicle is not None:
             if (actuators := self._fresh("actuators", pb.Actuators)) is not None:

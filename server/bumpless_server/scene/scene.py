@@ -10,6 +10,7 @@ from fastapi import APIRouter, Request, WebSocket
 from bumpless_server.scene.attainable import AttainableSets, Sets, sets_of
 from bumpless_server.scene.cameras import Cameras
 from bumpless_server.scene.finite import Finite
+from bumpless_server.scene.ghosts import Ghosts
 from bumpless_server.scene.proxy import Proxy
 from bumpless_server.scene.trail import Track
 
@@ -36,7 +37,9 @@ class Scene:
         session_of: Callable[[Request | WebSocket], str | None],
         light: bool = False,
         make_sets: Callable[[Any], Callable[[float], Sets]] = sets_of,
+        ghosts: Ghosts | None = None,
     ) -> None:
+        self._ghosts = ghosts
         self._state, self._light, self._make_sets = Finite(state), light, make_sets
         self.cameras = Cameras()
         self.proxy = Proxy(session_of, self.cameras.set_view)
@@ -74,7 +77,7 @@ class Scene:
             self._state,
             self.cameras,
             track,
-            lambda: Picture(self._state, server, track, sets, parse, self._light),
+            lambda: Picture(self._state, server, track, sets, parse, self._light, self._ghosts),
         )
 
         async def joined(client: Any) -> None:

@@ -5,6 +5,7 @@ a message are those of its frame, so `/pose` in "ned" reads like the bus.
 """
 
 from collections.abc import Callable, Iterator
+from importlib import resources
 from math import sqrt
 from typing import Any
 
@@ -21,6 +22,7 @@ from bumpless.contract import bumpless_pb2 as pb
 from bumpless_server.scene import pose
 from bumpless_server.views.foxglove_scene import FoxgloveScene
 
+LAYOUT = "foxglove_layout.json"
 WORLD, NED, BODY, TARGET = "map", "ned", "body", "target"
 TRACK_PERIOD_NS = 2_000_000_000  # of /path/track, the whole way so far
 TRACK_POSES = 400  # every second one goes when there are more
@@ -130,3 +132,8 @@ def _path(poses: list[Pose], now: int) -> PosesInFrame:
     path = PosesInFrame(frame_id=NED, poses=poses)
     path.timestamp.FromNanoseconds(now)
     return path
+
+
+def layout() -> bytes:
+    """A layout for our logs in Foxglove and Lichtblick."""
+    return (resources.files("bumpless_server.views") / LAYOUT).read_bytes()

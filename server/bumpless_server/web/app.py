@@ -10,31 +10,39 @@ from fastapi.concurrency import run_in_threadpool
 from bumpless_server.console import Console
 from bumpless_server.scene.scene import Scene
 from bumpless_server.settings import Settings
-from bumpless_server.web import errors
+from bumpless_server.web import errors, interface
 from bumpless_server.web.auth import Auth, session_cookie
 from bumpless_server.web.body_limit import BodyLimit
 from bumpless_server.web.guard import Guard
 from bumpless_server.web.guesses import Guesses
 from bumpless_server.web.routes import (
     alarms,
+    charts,
     compare,
+    control,
     declared,
     diagnostics,
     exchange,
+    export,
     findings,
     foresight,
     help,
+    hull,
+    imports,
     library,
     missions,
     page,
     parameters,
+    people,
     planning,
+    refly,
     replay,
     report,
     runs,
     shelf,
     status,
     stream,
+    what_if,
 )
 
 log = logging.getLogger(__name__)
@@ -44,17 +52,25 @@ ROUTERS = tuple(
     for part in (
         status,
         diagnostics,
+        people,
+        control,
         alarms,
         missions,
         findings,
         exchange,
         library,
         planning,
+        charts,
         parameters,
         declared,
         compare,
         replay,
         report,
+        export,
+        refly,
+        hull,
+        imports,
+        what_if,
         runs,
         shelf,
         stream,
@@ -75,22 +91,28 @@ def create_app(settings: Settings, console: Console | None = None) -> FastAPI:
                 await run_in_threadpool(console.start)
                 stack.push_async_callback(run_in_threadpool, console.stop)
             stack.push_async_callback(console.foresight.stop)
+            stack.push_async_callback(console.what_if.stop)
             if app.state.scene is not None:
                 await _start(app.state.scene, stack)
             yield
 
     app = FastAPI(title="Bumpless", version=console.version, lifespan=lifespan, docs_url=None, redoc_url=None)
     app.state.console = console
-    app.state.auth = auth = Auth(settings, console.data.secret())
-    app.add_middleware(BodyLimit, max_bytes=settings.upload_bytes)
-    app.add_middleware(Guard, auth=auth, guesses=Guesses(console.tally.note))
+    app.state.auth = auth = Auth(settings, console.data.secret(), console.accounts, console.sessions)
+    app.state.guesses = guesses = Guesses(console.tally.note)
+    app.add_middleware(
+        BodyLimit, max_bytes=settings.upload_bytes, larger={"/api/runs-import": settings.import_bytes}
+    )
+    app.add_middleware(Guard, auth=auth, guesses=guesses, lease=console.lease)
     errors.install(app)
     for router in ROUTERS:
         app.include_router(router)
     app.state.scene = None
     if settings.scene != "off":
-        app.state.scene = scene = Scene(console.state, session_cookie, light=settings.scene == "light")
+        light = settings.scene == "light"
+        app.state.scene = scene = Scene(console.state, session_cookie, light, ghosts=console.ghosts)
         app.include_router(scene.router)
+    interface.install(app)
     help.mount(app)
     page.mount(app)
     return app

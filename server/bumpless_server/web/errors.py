@@ -12,9 +12,13 @@ from fastapi.responses import JSONResponse
 from starlette.exceptions import HTTPException
 
 from bumpless.config.problems import Problem, ProblemsError
+from bumpless_server.access.accounts import AccountsError
+from bumpless_server.access.lease import NotHolder
+from bumpless_server.access.passwords import WeakPassword
 from bumpless_server.files import BadName
 from bumpless_server.live.ask import NoAnswer
 from bumpless_server.live.desk import Busy
+from bumpless_server.plan.charts.store import NoChart, TooManyCharts
 from bumpless_server.plan.drafts import TooManyDrafts
 from bumpless_server.plan.library import NoMission
 from bumpless_server.plan.missions import MissionExists
@@ -90,17 +94,31 @@ def install(app: FastAPI) -> None:
     async def exists(_request: Request, error: MissionExists) -> JSONResponse:
         return answer(409, str(error))
 
+    @app.exception_handler(NoChart)
     @app.exception_handler(NoMission)
-    async def no_mission(_request: Request, error: NoMission) -> JSONResponse:
+    async def not_there(_request: Request, error: LookupError) -> JSONResponse:
         return answer(404, str(error))
 
+    @app.exception_handler(TooManyCharts)
     @app.exception_handler(TooManyDrafts)
-    async def too_many_drafts(_request: Request, error: TooManyDrafts) -> JSONResponse:
+    async def too_many(_request: Request, error: Exception) -> JSONResponse:
         return answer(409, str(error))
 
     @app.exception_handler(NoAnswer)
     async def no_answer(_request: Request, error: NoAnswer) -> JSONResponse:
         return answer(503, str(error), accepted=False, reason=str(error))
+
+    @app.exception_handler(NotHolder)
+    async def not_holder(_request: Request, error: NotHolder) -> JSONResponse:
+        return answer(423, str(error))
+
+    @app.exception_handler(AccountsError)
+    async def accounts(_request: Request, error: AccountsError) -> JSONResponse:
+        return answer(409, str(error))
+
+    @app.exception_handler(WeakPassword)
+    async def weak(_request: Request, error: WeakPassword) -> JSONResponse:
+        return answer(422, str(error), [Problem("", None, None, "password", None, str(error)).as_dict()])
 
     @app.exception_handler(UnicodeError)
     async def no_text(_request: Request, error: UnicodeError) -> JSONResponse:

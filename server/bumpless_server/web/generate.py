@@ -11,17 +11,15 @@ from pathlib import Path
 from typing import Any
 
 from fastapi import FastAPI
-from pydantic import TypeAdapter
 
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.keys import TOPICS
 from bumpless.contract.modes import MODES
-from bumpless_server.foresight.told import ForesightMessage
-from bumpless_server.foresight.wanted import ForesightRequest
-from bumpless_server.live.sample import ALARMS, STATUS
+from bumpless_server.live.sample import ALARMS, CONTROL, STATUS
 from bumpless_server.scene.cameras import Cameras
 from bumpless_server.scene.proxy import Proxy
 from bumpless_server.web.app import ROUTERS
+from bumpless_server.web.interface import described
 from bumpless_server.web.rates import fresh_for_s
 from bumpless_server.web.views import HELP, VIEWS
 
@@ -34,18 +32,7 @@ def interface() -> dict[str, Any]:
     scene = Proxy(lambda _request: None, Cameras().set_view)
     for router in (*ROUTERS, scene.router):
         app.include_router(router)
-    return _with_sockets(app.openapi())
-
-
-def _with_sockets(told: dict[str, Any]) -> dict[str, Any]:
-    """OpenAPI knows no WebSocket: what one asks and answers is added to the schemas by name."""
-    place, schemas = "#/components/schemas/{model}", told["components"]["schemas"]
-    asked = ForesightRequest.model_json_schema(ref_template=place)
-    answered = TypeAdapter[Any](ForesightMessage).json_schema(mode="serialization", ref_template=place)
-    for name, schema in (("ForesightRequest", asked), ("ForesightMessage", answered)):
-        schemas |= schema.pop("$defs", {})
-        schemas[name] = schema
-    return told
+    return described(app)
 
 
 def house_ts() -> str:
@@ -70,6 +57,7 @@ def topics_ts() -> str:
     kinds = {f"tlm/{topic.name}": topic.message for topic in TOPICS.values()} | {
         STATUS: pb.ServerStatus,
         ALARMS: pb.Alarms,
+        CONTROL: pb.ControlHolder,
     }
     rows = [f'  "{name}": pb.{kind.__name__}Schema,' for name, kind in kinds.items()]
     head = [f"// {FROM}", 'import * as pb from "./bumpless_pb";', "export const SCHEMAS = {"]

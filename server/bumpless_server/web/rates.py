@@ -6,7 +6,7 @@ What a vehicle with another control period is given stands in each ServerStatus.
 from bumpless.contract.keys import TOPICS
 from bumpless_server.live import freshness
 from bumpless_server.live.dispatch import STATUS_PERIOD_S
-from bumpless_server.live.sample import ALARMS, STATUS
+from bumpless_server.live.sample import ALARMS, CONTROL, STATUS
 
 
 def fresh_for_s() -> dict[str, float]:
@@ -14,5 +14,6 @@ def fresh_for_s() -> dict[str, float]:
     fresh = {f"tlm/{topic.name}": freshness.fresh_for_s(topic) for topic in TOPICS.values()}
     return fresh | {
         STATUS: freshness.PATIENCE_PERIODS * STATUS_PERIOD_S,
-        ALARMS: 1e9,
-    }  # alarms come when they change
+        ALARMS: 1e9,  # these come when they change
+        CONTROL: 1e9,
+    }

@@ -5,6 +5,7 @@ from collections.abc import Callable
 import uvicorn
 from fastapi import FastAPI
 
+from bumpless_server.settings import Settings
 from bumpless_server.web.connection import bounded_protocol
 
 GRACEFUL_S = 3  # a stalled browser must not hold up the end
@@ -13,7 +14,7 @@ WS_MAX_QUEUE = 8  # of its messages wait
 
 
 def server_config(
-    app: FastAPI, note: Callable[[str, str], None], graceful_s: int = GRACEFUL_S
+    app: FastAPI, note: Callable[[str, str], None], settings: Settings, graceful_s: int = GRACEFUL_S
 ) -> uvicorn.Config:
     """uvicorn's configuration for `app`; `note(kind, example)` hears of clients that broke a limit."""
     return uvicorn.Config(
@@ -25,4 +26,10 @@ def server_config(
         ws_max_size=WS_MAX_BYTES,
         ws_max_queue=WS_MAX_QUEUE,
         timeout_graceful_shutdown=graceful_s,
+        server_header=False,
+        # who says from where and how a request came: only a proxy that was named
+        proxy_headers=bool(settings.proxies),
+        forwarded_allow_ips=list(settings.proxies),
+        ssl_certfile=settings.tls_cert,
+        ssl_keyfile=settings.tls_key,
     )

@@ -22,5 +22,6 @@ VIEWS = (
     View("missions", "Missions", "Mission files: what they are for, their plan and text, upload and start."),
     View("weights", "Mode weights", "What the vehicle is tuned with, edited as a draft and applied at once."),
     View("runs", "Runs", "Recorded flights with their metrics and files."),
+    View("system", "System", "What was not taken as it came, who did what, and who may."),
 )
 HELP = "/help/"  # the docs, served beside the console

@@ -125,6 +125,7 @@ WHOLE: dict[str, Any] = {
         },
     },
     "faults": [{"actuator": "n_p", "at_s": 3, "effectiveness": 0.5}],
+    "mishaps": [{"at_s": 3, "what": "battery", "battery": 0.1}],
     "parameters": {
         "hover": {"lambda": 0.01, "kp": [1, 1, 1, 1, 1, 1], "r_diagonal": [1, 1]},
         "supervisor": {"dwell_cycles": 10},
@@ -141,6 +142,7 @@ WHOLE: dict[str, Any] = {
     ],
     "keep_in": {"corners": [{"north_m": n, "east_m": e} for n, e in ((-90, -90), (90, -90), (0, 90))]},
     "origin": {"latitude_deg": 63.4, "longitude_deg": 10.4, "heading_deg": 30},
+    "sea_floor": {"clearance_m": 2, "grid": "fjord.asc", "water_level_m": 0.5},
     "trim": {"buoyancy_n": 1, "weights": [{"mass_kg": 0.6, "from_m": [0.3, 0, 0], "to_m": [0.35, 0, 0]}]},
 }
 SCHEMA = jsonschema.Draft202012Validator(mission_json_schema())

@@ -54,3 +54,15 @@ def test_alarms_survive_the_server(tmp_path: Path) -> None:
     assert again.open() == book.open() and again.history() == book.history()
     path.write_text("{")
     assert Book(path).open() == []
+
+
+def test_the_most_urgent_stands_first_whatever_came_last() -> None:
+    """Protects five priorities, as ISA-18.2 has them: an actuator at its bound never hides a dead node."""
+    book = Book()
+    for now, (code, severity) in enumerate(
+        [("node_died", ALARM), ("recorder_failed", ALARM), ("tracking_depth", WARNING)]
+        + [("saturated", WARNING), ("clock_offset", WARNING)]
+    ):
+        book.raise_(code, severity, code, now)
+    assert [a.priority for a in book.open()] == [1, 2, 3, 4, 5]
+    assert book.open()[0].message().priority == 1

@@ -1,6 +1,7 @@
 """What the server is alarmed at, each kind by the messages that cause and end it."""
 
-from collections.abc import Iterable, Sequence
+import math
+from collections.abc import Callable, Iterable, Sequence
 from math import nan
 from pathlib import Path
 
@@ -28,8 +29,10 @@ TOPICS = {
 class Heard:
     """Conditions, and which of them hold."""
 
-    def __init__(self, limits: Limits | None = None) -> None:
-        self.conditions = Conditions(limits or Limits())
+    def __init__(
+        self, limits: Limits | None = None, free_bytes: Callable[[], float] = lambda: math.inf
+    ) -> None:
+        self.conditions = Conditions(limits or Limits(), free_bytes)
         self.holds: dict[str, str] = {}
         self.ever: dict[str, str] = {}
 
@@ -178,3 +181,26 @@ def test_limits_come_from_a_file_of_the_vehicle(tmp_path: Path) -> None:
     for wrong in ("depth = 0.1\n", "depth_m = -1\n", "depth_m ="):
         path.write_text(wrong)
         assert read_limits(path) == Limits()
+
+
+def test_depth_and_area_are_watched_where_a_file_says_so() -> None:
+    """Protects the vehicle from the ground and from traffic, drifting too; without a file nobody knows."""
+    far = pb.Navigation(
+        stamp=pb.Stamp(time_ns=NOW_NS), position_ned_m=pb.Vector3(x=60.0, y=80.0), depth_m=12.0
+    )
+    silent = Heard()
+    silent(far)
+    assert silent.holds == {}
+    heard = Heard(Limits(deepest_m=10.0, area_m=90.0))
+    heard(far)
+    assert heard.holds["too_deep"].startswith("Depth 12.0 m is greater than the 10 m")
+    assert "100 m from the mission's start" in heard.holds["outside_area"]
+    heard(pb.Navigation(stamp=pb.Stamp(time_ns=NOW_NS), depth_m=3.0))
+    assert heard.holds == {}
+
+
+def test_a_disk_that_fills_is_told_before_the_recorder_stops() -> None:
+    """Protects the log of a flight that is still to come."""
+    heard = Heard(free_bytes=lambda: 5e8)
+    heard(pb.ServerStatus(link=pb.LINK_STATE_LIVE))
+    assert heard.holds["disk"] == "The disk of the runs has 500 MB left, less than 2000 MB."

@@ -96,7 +96,11 @@ def test_the_clock_offset_is_that_of_the_fastest_message() -> None:
     assert clock.offset_s == pytest.approx(3_600.0 - 0.001)
     assert clock.to_vehicle(5) == hour - 1_000_000 + 5
     now.s += 2 * WINDOW_S
-    clock.heard(2_000_000_000, 2_000_000_000)  # set right again
+    clock.heard(1_000_000_000, 9_000_000_000)  # after a silence: it had waited for the link
+    assert clock.offset_s == pytest.approx(3_600.0 - 0.001)
+    for _ in range(3):
+        now.s += WINDOW_S / 2
+        clock.heard(2_000_000_000, 2_000_000_000)  # set right again
     assert clock.offset_s == 0.0
 
 

@@ -218,8 +218,10 @@ def test_the_server_says_that_it_is_there(flying: Running, stranger: zenoh.Sessi
     )
     flying.until(lambda: len(heard) > 1)
     assert pb.Heartbeat.FromString(heard[0]).session_id
-    (failsafe,) = flying.http.get("/api/vehicle").json()["failsafe"]
-    assert failsafe["reaction"] == "none" and failsafe["after_s"] is None
+    declared = flying.http.get("/api/vehicle").json()["failsafe"]
+    (lost,) = [one for one in declared if one["cause"] == "heartbeat_lost"]
+    assert lost["reaction"] == "none" and lost["limit"] is None
+    assert {one["cause"]: one["does"] for one in declared}["leak"] == "holds station at the surface"
     held.undeclare()
 
 

@@ -187,3 +187,27 @@ def test_an_export_says_what_it_loses_and_what_it_needs() -> None:
     for to in ("plan", "wpl", "geojson", "kml"):
         with pytest.raises(NotExportable, match="origin"):
             exported(mission, to)
+
+
+HOME = "0\t1\t0\t16\t0\t0\t0\t0\t47.5\t8.5\t0\t1\n"
+
+
+@pytest.mark.parametrize(
+    ("row", "why"),
+    [
+        ("1\t0\t0\t5001\t3\t0\t0\t0\t47.5\t8.5\t0\t1\n", "fence points"),
+        ("1\t0\t0\t5100\t0\t0\t0\t0\t47.5\t8.5\t0\t1\n", "rally points"),
+        ("1\t0\t3\t203\t0\t0\t0\t0\t0\t0\t0\t1\n", "row 1: DO_DIGICAM_CONTROL"),
+    ],
+)
+def test_a_list_without_a_way_is_named_as_what_it_is(row: str, why: str) -> None:
+    """Protects: a fence is not called an empty mission; the reason names the steps, not what lies around."""
+    with pytest.raises(NotImportable, match=why):
+        imported(f"QGC WPL 110\n{HOME}{row}".encode(), "list.waypoints", "ts100")
+
+
+def test_a_plan_of_hundreds_of_places_comes_whole() -> None:
+    """Protects: a survey that was drawn elsewhere loses none of its legs up to 511."""
+    rows = "".join(f"{i}\t0\t3\t16\t0\t0\t0\t0\t{47.5 + i * 1e-4:.7f}\t8.5\t-3\t1\n" for i in range(1, 513))
+    found = imported(f"QGC WPL 110\n{HOME}{rows}".encode(), "long.waypoints", "ts100")
+    assert len(parse_mission(found.yaml).legs) == 511

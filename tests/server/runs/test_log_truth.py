@@ -2,15 +2,16 @@
 
 from itertools import pairwise
 from pathlib import Path
+from typing import Any
 
 import pytest
 from mcap.reader import make_reader
 
 from bumpless.contract import bumpless_pb2 as pb
-from bumpless.contract.keys import TOPICS
+from bumpless.contract.keys import FILLED_S, TOPICS
 from bumpless.runs.summary import summarise
 from bumpless_server.live.sample import Sample
-from bumpless_server.runs.recorder import Recorder
+from bumpless_server.runs.recorder import Recorder, _LinkLost
 from tests.server.runs.clock import Clock
 
 NOW_NS = 1_800_000_000_000_000_000
@@ -33,8 +34,15 @@ class Bench:
         sample = Sample(f"tlm/{topic}", TOPICS[topic].schema, payload, at_ns, session=session)
         self.recorder._worker._handle(sample)
 
-    def status(self, cycle: int, phase: int, elapsed: float = 0.0, **more) -> None:
+    def status(self, cycle: int, phase: Any, elapsed: float = 0.0, **more) -> None:
         self.hear("mission", cycle, phase=phase, run_id="run-1", elapsed_s=elapsed, **more)
+
+    def lose(self) -> None:
+        self.recorder._worker._handle(_LinkLost())
+
+    def wait(self, seconds: float) -> None:
+        self.clock.now += seconds
+        self.recorder._worker._on_time()
 
     def times(self) -> list[int]:
         with self.closed[-1].open("rb") as file:
@@ -74,3 +82,41 @@ def test_an_ousted_nodes_run_is_not_listed_as_complete(
     bench.recorder._close()
     run = summarise(bench.closed[0])
     assert (run.state, run.end_reason) == ("interrupted", "another session speaks for the vehicle")
+
+
+def test_a_cut_of_the_link_cuts_no_log(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Protects: one flight whose link was cut for a while is one file, with what came late in its place."""
+    bench = Bench(tmp_path, monkeypatch)
+    bench.status(1, pb.MISSION_PHASE_RUNNING)
+    bench.hear("navigation", 2)
+    bench.lose()
+    bench.wait(FILLED_S / 2)
+    for cycle in (3, 4, 5):
+        bench.hear("navigation", cycle, at_ns=NOW_NS + 30 * 10**9)
+    bench.wait(FILLED_S)
+    assert bench.closed == []
+    bench.status(6, pb.MISSION_PHASE_COMPLETED, elapsed=0.3, end_reason="done")
+    bench.recorder._close()
+    (path,) = bench.closed
+    assert summarise(path).state == "complete"
+    with path.open("rb") as file:
+        cycles = [
+            pb.Navigation.FromString(m.data).stamp.cycle
+            for _, channel, m in make_reader(file).iter_messages()
+            if channel.topic == "tlm/navigation"
+        ]
+    assert cycles == [2, 3, 4, 5]
+
+
+def test_who_stays_away_ends_the_log(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Protects: a vehicle that is lost for good leaves a closed log, and so does one that starts anew."""
+    bench = Bench(tmp_path, monkeypatch)
+    bench.status(1, pb.MISSION_PHASE_RUNNING)
+    bench.lose()
+    bench.wait(FILLED_S + 1.0)
+    assert summarise(bench.closed[0]).end_reason == "link to the vehicle lost"
+    bench.status(2, pb.MISSION_PHASE_RUNNING)
+    bench.lose()
+    bench.status(1, pb.MISSION_PHASE_RUNNING, session="b")
+    assert summarise(bench.closed[1]).end_reason == "link to the vehicle lost"
+    bench.recorder._close()

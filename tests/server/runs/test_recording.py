@@ -2,6 +2,7 @@
 
 import hashlib
 import io
+import json
 import os
 import signal
 from collections import Counter
@@ -145,3 +146,25 @@ def test_runs_are_deleted_on_demand_and_strange_names_find_nothing(
         assert running.http.get(f"/api/runs/{run}").status_code == 404
         assert not (running.console.data.runs / f"{run}.mcap").exists()
         assert running.http.get("/api/runs").json() == []
+
+
+def test_who_asked_for_what_stands_in_the_log(make_settings: Callable[..., Settings]) -> None:
+    """Protects: a log tells by whom a flight was begun and changed, also to who has the file alone."""
+    with serving(make_settings("--mission-s", "1.5")) as running:
+        running.until(lambda: running.console.state.latest("parameters"))
+        running.http.post("/api/mission/start", json={"name": "docking", "operator": "Ada"})
+        (entry,) = running.http.get("/api/audit").json()
+        running.until(lambda: running.console.recorder.recording)
+        assert running.http.post("/api/mission/pause").status_code == 200
+        assert running.http.post("/api/mission/resume").status_code == 200
+        row = running.until(lambda: next(iter(running.console.catalogue.rows()), None))
+    path = running.console.data.runs / f"{row.summary.id}.mcap"
+    told = [pb.AuditEntry.FromString(record.data) for _, record in log_messages(path, {"server/audit"})]
+    assert [(one.verb, one.answer) for one in told] == [
+        ("start", "accepted"),
+        ("pause", "accepted"),
+        ("resume", "accepted"),
+    ]
+    assert told[0].author == "Ada" and told[0].id == entry["id"]
+    assert json.loads(told[0].details_json)["mission"] == "docking.yaml"
+    assert is_whole(path)

@@ -5,6 +5,7 @@ import socket
 import threading
 from collections.abc import AsyncIterator, Iterator
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import uvicorn
@@ -12,6 +13,9 @@ from fastapi import FastAPI
 from fastapi.responses import HTMLResponse
 from google.protobuf.message import Message
 
+from bumpless_server.access.accounts import Accounts
+from bumpless_server.access.lease import Lease
+from bumpless_server.access.sessions import Sessions
 from bumpless_server.live.sample import Sample
 from bumpless_server.live.state import State
 from bumpless_server.scene.scene import Scene
@@ -59,7 +63,10 @@ def serve(**options: Any) -> Iterator[Served]:
     app = FastAPI(lifespan=lifespan)
     app.include_router(scene.router)
     app.add_api_route("/", lambda: HTMLResponse("<title>console</title>"), response_class=HTMLResponse)
-    guarded = Guard(app, Auth(load_settings(), b"test"), Guesses(lambda *_: None))
+    accounts = Accounts(Path("nowhere"))
+    auth = Auth(load_settings(), b"test", accounts, Sessions(Path("nowhere"), accounts, 1.0))
+    lease = Lease(lambda _: None, lambda *_: None)
+    guarded = Guard(app, auth, Guesses(lambda *_: None), lease)
     config = uvicorn.Config(
         guarded, port=0, log_level="warning", ws_per_message_deflate=False, timeout_graceful_shutdown=2
     )

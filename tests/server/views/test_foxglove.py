@@ -14,11 +14,12 @@ from scipy.spatial.transform import Rotation
 
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.keys import TOPICS
+from bumpless_server.views import foxglove
 from bumpless_server.views.foxglove import Foxglove
 from bumpless_server.views.foxglove_scene import METRES_PER_UNIT, FoxgloveScene
 from tests.runs.flights import Flight, begin
 
-LAYOUT = Path(__file__).parents[3] / "docs" / "foxglove_layout.json"
+LAYOUT = Path(foxglove.__file__).with_name("foxglove_layout.json")
 
 
 @pytest.fixture(scope="module")

@@ -41,11 +41,24 @@ def test_every_route_answers_with_a_model() -> None:
 def test_a_refusal_is_declared_for_every_subject() -> None:
     """Protects the one shape of refusals that the console reads."""
     for path, methods in interface()["paths"].items():
-        if path.startswith("/api/scene"):
-            continue
         for method in METHODS & methods.keys():
-            refused = methods[method]["responses"]["4XX"]["content"]["application/json"]["schema"]
-            assert refused["$ref"].endswith("/Refused"), path
+            answers = methods[method]["responses"]
+            refusals = [one for status, one in answers.items() if not status.startswith("2")]
+            assert len(refusals) > 5 and "4XX" not in answers, path
+            for refused in refusals:
+                schema = refused["content"]["application/problem+json"]["schema"]
+                assert schema["$ref"].endswith("/Refused"), path
+
+
+def test_every_route_declares_who_may_use_it_and_by_which_scheme() -> None:
+    """Protects: a client made from the document knows how to be let in; nothing is open by omission."""
+    told_ = interface()
+    assert told_["components"]["securitySchemes"].keys() == {"session", "token"}
+    for path, methods in told_["paths"].items():
+        for method in METHODS & methods.keys():
+            operation = methods[method]
+            open_ = operation["security"] == []
+            assert open_ == (path in ("/api/health", "/api/login")) and ("x-role" in operation) != open_, path
 
 
 def test_what_is_no_number_is_null() -> None:
@@ -84,6 +97,10 @@ def test_no_source_of_the_console_repeats_a_mode_colour() -> None:
 def test_each_topic_has_an_age_at_which_it_is_late() -> None:
     """Protects "nothing stale looks live" for every topic that the browser may show."""
     fresh = fresh_for_s()
-    assert fresh.keys() == {f"tlm/{name}" for name in TOPICS} | {"server/status", "server/alarms"}
+    assert fresh.keys() == {f"tlm/{name}" for name in TOPICS} | {
+        "server/status",
+        "server/alarms",
+        "server/control",
+    }
     for topic in TOPICS.values():
         assert topic.rate_hz is None or fresh[f"tlm/{topic.name}"] >= 2 / topic.rate_hz

@@ -98,7 +98,7 @@ async def test_answers_are_sent_at_once(alone: Running) -> None:
     from bumpless_server.web.app import create_app
 
     app = create_app(alone.console.settings, alone.console)
-    config = server_config(app, alone.console.tally.note)
+    config = server_config(app, alone.console.tally.note, alone.console.settings)
     with socket.create_server(("127.0.0.1", 0)) as listener:
         with socket.create_connection(listener.getsockname()), listener.accept()[0] as plain:
             made = bounded_protocol(alone.console.tally.note)(config, ServerState(), {})

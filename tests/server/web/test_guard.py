@@ -1,15 +1,11 @@
 """The same rules on a live server: over real HTTP and real WebSockets, for every route."""
 
-from collections.abc import Callable
-
-import httpx
 import pytest
 from websockets.exceptions import InvalidStatus
 from websockets.sync.client import connect
 from websockets.typing import Origin
 
-from bumpless_server.settings import Settings
-from tests.server.serving import Running, serving
+from tests.server.serving import Running
 
 EVIL = {"origin": "http://evil.example"}
 
@@ -52,18 +48,3 @@ def test_the_page_hands_out_the_session_that_its_stream_needs(running: Running) 
         assert socket.recv()
     with pytest.raises(InvalidStatus), connect(url, origin=Origin(running.url)):
         pass
-
-
-def test_a_server_with_a_token_asks_for_it_once(make_settings: Callable[..., Settings]) -> None:
-    """The token opens the page, which then has a session; the address bar does not keep it."""
-    with serving(make_settings(manage_node=False, token="correct horse")) as server:
-        assert server.http.get("/api/health").status_code == 200
-        assert server.http.get("/api/status").status_code == 401
-        login = server.http.get("/")
-        assert login.status_code == 401 and "token" in login.text
-        assert server.http.get("/", params={"token": "wrong horse"}).status_code == 401
-        opened = server.http.get("/", params={"token": "correct horse"})
-        assert (opened.status_code, opened.headers["location"]) == (303, "/")
-        assert server.http.get("/api/status").status_code == 200
-        bearer = {"authorization": "Bearer correct horse"}
-        assert httpx.get(f"{server.url}/api/status", headers=bearer).status_code == 200

@@ -33,6 +33,19 @@ def test_every_saved_version_stays_readable(alone: Running) -> None:
     assert alone.http.get("/api/missions/mine/history/..%2Fx").status_code == 404
 
 
+def test_what_changed_between_two_versions_can_be_read(alone: Running) -> None:
+    """Protects: a script reads what somebody changed without fetching both texts."""
+    alone.http.put("/api/missions/mine", content=LONGER).raise_for_status()
+    newest, first = (v["id"] for v in alone.http.get("/api/missions/mine/history").json())
+    told = alone.http.get("/api/missions/mine/difference", params={"before": first}).json()
+    assert "-duration_s: 90" in told["unified"] and "+duration_s: 95" in told["unified"]
+    same = alone.http.get("/api/missions/mine/difference", params={"before": newest}).json()
+    assert same["unified"] == ""
+    back = {"before": newest, "after": first}
+    assert "+duration_s: 90" in alone.http.get("/api/missions/mine/difference", params=back).json()["unified"]
+    assert alone.http.get("/api/missions/mine/difference", params={"before": "x"}).status_code == 404
+
+
 def test_a_save_over_somebody_elses_work_is_refused(alone: Running) -> None:
     """Protects: two operators editing one mission do not overwrite each other unseen."""
     base = hashlib.sha256(DOCKING).hexdigest()

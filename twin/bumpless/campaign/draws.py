@@ -8,6 +8,7 @@ import hashlib
 from collections.abc import Mapping
 
 from bumpless.campaign.distributions import Distribution, Value
+from bumpless.campaign.even import even_shares
 
 FLIGHT = "flight"  # the stream from which the flight's own seed comes
 
@@ -31,3 +32,9 @@ def flight_seed(seed: int, number: int) -> int:
 def draw(table: Mapping[str, Distribution], seed: int, number: int) -> dict[str, Value]:
     """The values of flight `number`, by quantity."""
     return {name: distribution.at(share(seed, number, name)) for name, distribution in table.items()}
+
+
+def even_draw(table: Mapping[str, Distribution], seed: int, number: int) -> dict[str, Value]:
+    """The same, spread evenly over the flights; each value depends on all names in the table."""
+    shares = even_shares(seed, number, len(table)) if table else ()
+    return {name: table[name].at(float(share)) for name, share in zip(sorted(table), shares, strict=True)}

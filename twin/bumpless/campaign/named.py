@@ -4,6 +4,8 @@ from pathlib import Path
 from typing import Any
 
 from bumpless.campaign.mission_text import as_yaml
+from bumpless.chart import NotAGrid
+from bumpless.chart.beside import beside
 from bumpless.config.mission import Mission, MissionError, missions_folder, parse_mission
 from bumpless.config.problems import ProblemsError
 from bumpless.config.vehicle import Vehicle, load_vehicle
@@ -33,7 +35,9 @@ def mission_named(
         file.refuse(place, named, "no such file beside the campaign, and no mission of that name ships")
         return None
     try:
-        return parse_mission(path.read_bytes(), path.name, vehicle, any_vehicle=True)
+        return beside(parse_mission(path.read_bytes(), path.name, vehicle, any_vehicle=True), path.parent)
+    except NotAGrid as error:
+        file.refuse(place, named, str(error))
     except OSError:
         file.refuse(place, named, "cannot be read")
     except MissionError as error:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from bumpless.campaign.declaration import Campaign
-from bumpless.campaign.draws import draw, flight_seed
+from bumpless.campaign.draws import draw, even_draw, flight_seed
 from bumpless.campaign.plain import plain
 from bumpless.config.declare import as_table
 from bumpless.config.mission import Mission
@@ -34,6 +34,7 @@ class Prepared:
 
     campaign: Campaign
     setups: tuple[Setup, ...]
+    even: bool = False  # draws are spread evenly over the flights, not left to chance
 
     def setup(self, number: int) -> Setup:
         """What flight `number` flies."""
@@ -41,7 +42,8 @@ class Prepared:
 
     def values(self, number: int) -> dict[str, Any]:
         """The draw of flight `number`."""
-        return draw(self.campaign.draw, self.campaign.seed, number)
+        drawn = even_draw if self.even else draw
+        return drawn(self.campaign.draw, self.campaign.seed, number)
 
     def seed(self, number: int) -> int:
         """The seed of flight `number`."""

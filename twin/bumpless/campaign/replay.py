@@ -7,6 +7,7 @@ from bumpless.campaign.drawn import drawn_mission, drawn_vehicle
 from bumpless.campaign.mission_text import mission_text
 from bumpless.campaign.plant import Alteration
 from bumpless.campaign.prepared import Prepared
+from bumpless.chart import with_floor
 from bumpless.config.mission import Mission, parse_mission
 from bumpless.config.parameters import Parameters
 from bumpless.config.vehicle import Vehicle
@@ -32,6 +33,6 @@ def replayed(prepared: Prepared, number: int) -> Replay:
     )
     named = f"{prepared.campaign.name}-{number}.yaml"
     text = mission_text(mission)
-    return Replay(
-        parse_mission(text, named, vehicle, any_vehicle=True), vehicle, setup.parameters, alteration
-    )
+    flown = parse_mission(text, named, vehicle, any_vehicle=True)
+    flown = with_floor(flown, mission.depth_grid)
+    return Replay(flown, vehicle, setup.parameters, alteration)

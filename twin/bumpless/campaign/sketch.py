@@ -12,9 +12,11 @@ from bumpless.campaign.flight import Hangar, flown
 from bumpless.campaign.plant import Alteration
 from bumpless.campaign.prepared import Prepared
 from bumpless.campaign.read import load_campaign
+from bumpless.chart import floor_of
 from bumpless.config.mission import missions_folder
 from bumpless.metrics import Columns, Outcome, outcome_of
 from bumpless.metrics.dock import body_of
+from bumpless.metrics.floor import least_clearance
 
 
 @dataclass(frozen=True)
@@ -25,6 +27,7 @@ class Sketch:
     seed: int
     outcome: Outcome
     end_s: float  # how long it lasted
+    clearance_m: float | None  # least above the sea floor; None: not known
     path_ned_m: npt.NDArray[np.float64]  # (n, 3), the true way, first and last place among them
 
 
@@ -48,7 +51,9 @@ def sketch(prepared: Prepared, number: int, hangar: Hangar, points: int) -> Sket
     twin.drain_events()
     columns = Columns.from_log(log, len(vehicle.commands)).as_told([c.unit for c in vehicle.commands])
     body, limits = body_of(mission.target), prepared.campaign.docked.limits
-    outcome = outcome_of(columns, vehicle, "completed", body=body, limits=limits)
+    floor = floor_of(mission)
+    outcome = outcome_of(columns, vehicle, "completed", body=body, limits=limits, floor=floor)
     shown = np.unique(np.linspace(0, len(log) - 1, min(points, len(log))).round().astype(int))
     lasted_s = float(log["time"][-1] - log["time"][0]) + vehicle.control_period_s
-    return Sketch(number, seed, outcome, lasted_s, np.array(log["eta"][shown, :3]))
+    clear = least_clearance(columns.eta, vehicle, floor)
+    return Sketch(number, seed, outcome, lasted_s, clear, np.array(log["eta"][shown, :3]))

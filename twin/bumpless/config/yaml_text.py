@@ -23,7 +23,7 @@ from yaml.events import (
 from bumpless.config.plain import is_row
 from bumpless.config.problems import Problem
 
-LARGEST_FILE = 32_768  # characters; a mission is a page of text
+LARGEST_FILE = 131_072  # characters: 511 legs with a comment each have room
 _DEEPEST = 6
 _LARGEST_BITS = 1024  # of a whole number: a larger one has no place among floats and counts as infinite
 _DEEPEST_FLOW = 50  # brackets and indicators in a row that cost YAML scanners more than linear time

@@ -63,6 +63,7 @@ class WaveOffReason(int, metaclass=_enum_type_wrapper.EnumTypeWrapper):
     WAVE_OFF_REASON_TOO_SLOW: _ClassVar[WaveOffReason]
     WAVE_OFF_REASON_CURRENT: _ClassVar[WaveOffReason]
     WAVE_OFF_REASON_TIME_OVER: _ClassVar[WaveOffReason]
+    WAVE_OFF_REASON_FAILSAFE: _ClassVar[WaveOffReason]
 
 class RefusalCause(int, metaclass=_enum_type_wrapper.EnumTypeWrapper):
     __slots__ = ()
@@ -131,6 +132,7 @@ WAVE_OFF_REASON_NOT_SEEN: WaveOffReason
 WAVE_OFF_REASON_TOO_SLOW: WaveOffReason
 WAVE_OFF_REASON_CURRENT: WaveOffReason
 WAVE_OFF_REASON_TIME_OVER: WaveOffReason
+WAVE_OFF_REASON_FAILSAFE: WaveOffReason
 REFUSAL_CAUSE_UNSPECIFIED: RefusalCause
 REFUSAL_CAUSE_LATE: RefusalCause
 REFUSAL_CAUSE_BUSY: RefusalCause
@@ -564,7 +566,7 @@ class VehicleDescription(_message.Message):
     def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., vehicle_id: _Optional[str] = ..., vehicle_name: _Optional[str] = ..., vehicle_toml: _Optional[str] = ..., sha256: _Optional[str] = ..., software_version: _Optional[str] = ..., control_period_s: _Optional[float] = ..., actuator_names: _Optional[_Iterable[str]] = ..., session_id: _Optional[str] = ...) -> None: ...
 
 class Health(_message.Message):
-    __slots__ = ("stamp", "cycles", "missed_cycles", "lateness_p99_ms", "lateness_max_ms", "cycle_time_p50_us", "cycle_time_p99_us", "resident_bytes", "process_id", "host_name", "dropped_rows")
+    __slots__ = ("stamp", "cycles", "missed_cycles", "lateness_p99_ms", "lateness_max_ms", "cycle_time_p50_us", "cycle_time_p99_us", "resident_bytes", "process_id", "host_name", "dropped_rows", "leak", "battery_share")
     STAMP_FIELD_NUMBER: _ClassVar[int]
     CYCLES_FIELD_NUMBER: _ClassVar[int]
     MISSED_CYCLES_FIELD_NUMBER: _ClassVar[int]
@@ -576,6 +578,8 @@ class Health(_message.Message):
     PROCESS_ID_FIELD_NUMBER: _ClassVar[int]
     HOST_NAME_FIELD_NUMBER: _ClassVar[int]
     DROPPED_ROWS_FIELD_NUMBER: _ClassVar[int]
+    LEAK_FIELD_NUMBER: _ClassVar[int]
+    BATTERY_SHARE_FIELD_NUMBER: _ClassVar[int]
     stamp: Stamp
     cycles: int
     missed_cycles: int
@@ -587,7 +591,9 @@ class Health(_message.Message):
     process_id: int
     host_name: str
     dropped_rows: int
-    def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., cycles: _Optional[int] = ..., missed_cycles: _Optional[int] = ..., lateness_p99_ms: _Optional[float] = ..., lateness_max_ms: _Optional[float] = ..., cycle_time_p50_us: _Optional[float] = ..., cycle_time_p99_us: _Optional[float] = ..., resident_bytes: _Optional[int] = ..., process_id: _Optional[int] = ..., host_name: _Optional[str] = ..., dropped_rows: _Optional[int] = ...) -> None: ...
+    leak: bool
+    battery_share: float
+    def __init__(self, stamp: _Optional[_Union[Stamp, _Mapping]] = ..., cycles: _Optional[int] = ..., missed_cycles: _Optional[int] = ..., lateness_p99_ms: _Optional[float] = ..., lateness_max_ms: _Optional[float] = ..., cycle_time_p50_us: _Optional[float] = ..., cycle_time_p99_us: _Optional[float] = ..., resident_bytes: _Optional[int] = ..., process_id: _Optional[int] = ..., host_name: _Optional[str] = ..., dropped_rows: _Optional[int] = ..., leak: _Optional[bool] = ..., battery_share: _Optional[float] = ...) -> None: ...
 
 class Event(_message.Message):
     __slots__ = ("stamp", "severity", "code", "text", "details")
@@ -907,7 +913,7 @@ class StreamFrame(_message.Message):
     def __init__(self, server_time_ns: _Optional[int] = ..., messages: _Optional[_Iterable[_Union[StreamMessage, _Mapping]]] = ..., past: _Optional[bool] = ...) -> None: ...
 
 class Alarm(_message.Message):
-    __slots__ = ("id", "code", "severity", "text", "raised_ns", "returned_ns", "acknowledged_ns", "acknowledged_by", "count", "shelved_until_ns", "details")
+    __slots__ = ("id", "code", "severity", "text", "raised_ns", "returned_ns", "acknowledged_ns", "acknowledged_by", "count", "shelved_until_ns", "details", "priority")
     class DetailsEntry(_message.Message):
         __slots__ = ("key", "value")
         KEY_FIELD_NUMBER: _ClassVar[int]
@@ -926,6 +932,7 @@ class Alarm(_message.Message):
     COUNT_FIELD_NUMBER: _ClassVar[int]
     SHELVED_UNTIL_NS_FIELD_NUMBER: _ClassVar[int]
     DETAILS_FIELD_NUMBER: _ClassVar[int]
+    PRIORITY_FIELD_NUMBER: _ClassVar[int]
     id: str
     code: str
     severity: Severity
@@ -937,13 +944,64 @@ class Alarm(_message.Message):
     count: int
     shelved_until_ns: int
     details: _containers.ScalarMap[str, str]
-    def __init__(self, id: _Optional[str] = ..., code: _Optional[str] = ..., severity: _Optional[_Union[Severity, str]] = ..., text: _Optional[str] = ..., raised_ns: _Optional[int] = ..., returned_ns: _Optional[int] = ..., acknowledged_ns: _Optional[int] = ..., acknowledged_by: _Optional[str] = ..., count: _Optional[int] = ..., shelved_until_ns: _Optional[int] = ..., details: _Optional[_Mapping[str, str]] = ...) -> None: ...
+    priority: int
+    def __init__(self, id: _Optional[str] = ..., code: _Optional[str] = ..., severity: _Optional[_Union[Severity, str]] = ..., text: _Optional[str] = ..., raised_ns: _Optional[int] = ..., returned_ns: _Optional[int] = ..., acknowledged_ns: _Optional[int] = ..., acknowledged_by: _Optional[str] = ..., count: _Optional[int] = ..., shelved_until_ns: _Optional[int] = ..., details: _Optional[_Mapping[str, str]] = ..., priority: _Optional[int] = ...) -> None: ...
 
 class Alarms(_message.Message):
     __slots__ = ("alarms",)
     ALARMS_FIELD_NUMBER: _ClassVar[int]
     alarms: _containers.RepeatedCompositeFieldContainer[Alarm]
     def __init__(self, alarms: _Optional[_Iterable[_Union[Alarm, _Mapping]]] = ...) -> None: ...
+
+class AuditEntry(_message.Message):
+    __slots__ = ("time_ns", "id", "verb", "author", "address", "details_json", "answer", "said", "took_s")
+    TIME_NS_FIELD_NUMBER: _ClassVar[int]
+    ID_FIELD_NUMBER: _ClassVar[int]
+    VERB_FIELD_NUMBER: _ClassVar[int]
+    AUTHOR_FIELD_NUMBER: _ClassVar[int]
+    ADDRESS_FIELD_NUMBER: _ClassVar[int]
+    DETAILS_JSON_FIELD_NUMBER: _ClassVar[int]
+    ANSWER_FIELD_NUMBER: _ClassVar[int]
+    SAID_FIELD_NUMBER: _ClassVar[int]
+    TOOK_S_FIELD_NUMBER: _ClassVar[int]
+    time_ns: int
+    id: str
+    verb: str
+    author: str
+    address: str
+    details_json: str
+    answer: str
+    said: str
+    took_s: float
+    def __init__(self, time_ns: _Optional[int] = ..., id: _Optional[str] = ..., verb: _Optional[str] = ..., author: _Optional[str] = ..., address: _Optional[str] = ..., details_json: _Optional[str] = ..., answer: _Optional[str] = ..., said: _Optional[str] = ..., took_s: _Optional[float] = ...) -> None: ...
+
+class ControlRequest(_message.Message):
+    __slots__ = ("client", "name", "since_ns", "reason")
+    CLIENT_FIELD_NUMBER: _ClassVar[int]
+    NAME_FIELD_NUMBER: _ClassVar[int]
+    SINCE_NS_FIELD_NUMBER: _ClassVar[int]
+    REASON_FIELD_NUMBER: _ClassVar[int]
+    client: str
+    name: str
+    since_ns: int
+    reason: str
+    def __init__(self, client: _Optional[str] = ..., name: _Optional[str] = ..., since_ns: _Optional[int] = ..., reason: _Optional[str] = ...) -> None: ...
+
+class ControlHolder(_message.Message):
+    __slots__ = ("holder", "holder_name", "since_ns", "until_ns", "reason", "requests")
+    HOLDER_FIELD_NUMBER: _ClassVar[int]
+    HOLDER_NAME_FIELD_NUMBER: _ClassVar[int]
+    SINCE_NS_FIELD_NUMBER: _ClassVar[int]
+    UNTIL_NS_FIELD_NUMBER: _ClassVar[int]
+    REASON_FIELD_NUMBER: _ClassVar[int]
+    REQUESTS_FIELD_NUMBER: _ClassVar[int]
+    holder: str
+    holder_name: str
+    since_ns: int
+    until_ns: int
+    reason: str
+    requests: _containers.RepeatedCompositeFieldContainer[ControlRequest]
+    def __init__(self, holder: _Optional[str] = ..., holder_name: _Optional[str] = ..., since_ns: _Optional[int] = ..., until_ns: _Optional[int] = ..., reason: _Optional[str] = ..., requests: _Optional[_Iterable[_Union[ControlRequest, _Mapping]]] = ...) -> None: ...
 
 class ServerStatus(_message.Message):
     __slots__ = ("time_ns", "vehicle_id", "link", "telemetry_age_s", "recording", "recording_run_id", "recorded_bytes", "recorder_dropped", "node_restarts", "stream_clients", "server_version", "node_managed", "recorder_trouble", "topics", "clock_offset_s", "bus_notice", "set_aside")

@@ -22,4 +22,5 @@ REASONS: dict[int, str] = {
     enums.TOO_SLOW: "speed stays far from its reference, as with a fault",
     enums.CURRENT: "station can't be held in this current",
     enums.TIME_OVER: "time over",
+    enums.FAILSAFE: "the vehicle's file asks for it",
 }

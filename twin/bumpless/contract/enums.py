@@ -24,4 +24,4 @@ WAVED_OFF_STAGES = (BACK, HOLD)  # on the way back from the dock, and holding cl
 
 # WaveOffReason; 0 before the first wave-off
 TARGET_LOST, OFF_LINE, OFF_HEADING, OFF_DEPTH, OVERSHOT = 1, 2, 3, 4, 5
-STUCK_AT_GATE, NOT_SEEN, TOO_SLOW, CURRENT, TIME_OVER = 6, 7, 8, 9, 10
+STUCK_AT_GATE, NOT_SEEN, TOO_SLOW, CURRENT, TIME_OVER, FAILSAFE = 6, 7, 8, 9, 10, 11

@@ -12,6 +12,9 @@ from bumpless.contract import names
 
 ROOT = "bumpless"
 ENCODING_PREFIX = "application/protobuf;"
+FILLED_S = (
+    60.0  # a cut of the link up to this long leaves no gap: the vehicle keeps what it said, and is asked
+)
 
 
 @dataclass(frozen=True)
@@ -22,6 +25,7 @@ class Topic:
     message: type[Message]
     rate_hz: float | None  # None: once per control cycle
     on_change: bool = False  # also said at once when the content changes
+    filled: bool = True  # what a cut of the link swallowed is asked for afterwards; else the next one does
 
     @property
     def schema(self) -> str:
@@ -45,9 +49,9 @@ TOPICS: dict[str, Topic] = {
         Topic("target", pb.Target, None),
         Topic("exits", pb.Exits, 5.0),
         Topic("mission", pb.MissionStatus, 2.0, on_change=True),
-        Topic("plan", pb.Plan, 0.5, on_change=True),
-        Topic("parameters", pb.ParametersStatus, 1.0, on_change=True),
-        Topic("description", pb.VehicleDescription, 0.5),
+        Topic("plan", pb.Plan, 0.5, on_change=True, filled=False),
+        Topic("parameters", pb.ParametersStatus, 1.0, on_change=True, filled=False),
+        Topic("description", pb.VehicleDescription, 0.5, filled=False),
         Topic("health", pb.Health, 1.0),
     )
 }

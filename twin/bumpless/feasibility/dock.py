@@ -11,7 +11,7 @@ from bumpless.config.mission.model import Target
 from bumpless.config.parameters import Parameters
 from bumpless.config.vehicle import Vehicle
 from bumpless.feasibility.finding import HARD, SOFT, Finding, Mend
-from bumpless.metrics.dock import ends_of
+from bumpless.feasibility.outline import near_part
 from bumpless.sim.approach import turn_limit_deg
 
 _STEP_M = 0.1
@@ -44,10 +44,19 @@ def inside(target: Target, place: tuple[float, float, float], margin: float) -> 
 def nearest(mission: Mission, leg: int, depth_m: float) -> float:
     """Least horizontal way from a leg to the target, m, where it is within depth_m of its depth; else inf."""
     start, end = (np.array(x) for x in mission.path_ned_m[leg : leg + 2])
-    steps = np.linspace(0.0, 1.0, max(2, int(math.dist(start, end) / _STEP_M)))
-    off = start + steps[:, None] * (end - start) - np.array(mission.target.position_ned_m)
-    far = np.where(np.abs(off[:, 2]) <= depth_m, np.hypot(off[:, 0], off[:, 1]), np.inf)
-    return float(far.min())
+    off, way = start - np.array(mission.target.position_ned_m), end - start
+    first, last = 0.0, 1.0
+    if abs(way[2]) > 1e-9:  # the part of the leg between the two depths
+        at_depths = sorted((depth - off[2]) / way[2] for depth in (-depth_m, depth_m))
+        first, last = max(first, at_depths[0]), min(last, at_depths[1])
+    elif abs(off[2]) > depth_m:
+        return math.inf
+    if first > last:
+        return math.inf
+    length2 = float(way[0] ** 2 + way[1] ** 2)
+    share = -float(off[0] * way[0] + off[1] * way[1]) / length2 if length2 > 0.0 else first
+    north, east, _ = off + min(max(share, first), last) * way
+    return math.hypot(north, east)
 
 
 def _near_legs(mission: Mission, parameters: Parameters) -> Iterator[Finding]:
@@ -83,7 +92,7 @@ def _moved_out(
 
 def _place(target: Target, vehicle: Vehicle) -> Iterator[Finding]:
     """Is there room for the nose where the vehicle is to hover, on every heading it may take?"""
-    nose = ends_of(vehicle)[0]
+    nose = vehicle.ends_m[0]
     before, limit = target.standoff_m - nose, turn_limit_deg(target, vehicle)
     if before < _ROOM_M:
         least = math.ceil(10.0 * (nose + _ROOM_M)) / 10.0
@@ -104,9 +113,15 @@ def _place(target: Target, vehicle: Vehicle) -> Iterator[Finding]:
 
 def _through(mission: Mission) -> Iterator[Finding]:
     """Legs through the dock, where nothing leads the vehicle round it."""
+    target = mission.target
+    half = 0.5 * target.dock_width_m + _HULL_M
+    reach = math.hypot(target.dock_length_m + _HULL_M, half, half)  # no farther is a place in it
     for i, (start, end) in enumerate(pairwise(mission.path_ned_m)):
+        part = near_part(start, end, mission.target.position_ned_m, reach)
+        if part is None:
+            continue
         a, b = np.array(start), np.array(end)
-        steps = np.linspace(0.0, 1.0, max(2, int(math.dist(start, end) / _STEP_M)))
+        steps = np.linspace(*part, max(2, math.ceil((part[1] - part[0]) * math.dist(start, end) / _STEP_M)))
         if any(inside(mission.target, tuple(a + s * (b - a)), _HULL_M) for s in steps):
             text = "It leads through the dock."
             yield Finding(HARD, "leg_through_dock", f"legs[{i}].to_ned_m", text, "Lead it round.")

@@ -5,6 +5,7 @@ from bumpless.config.parameters import default_parameters, with_overrides
 from bumpless.config.vehicle import Vehicle, load_vehicle
 from bumpless.feasibility.dock import check_dock
 from bumpless.feasibility.finding import Finding
+from bumpless.feasibility.floor import check_floor
 from bumpless.feasibility.holding import check_station
 from bumpless.feasibility.path import check_end, check_legs, check_time
 from bumpless.feasibility.sight import check_first_sight, check_sight
@@ -20,6 +21,7 @@ def check_mission(mission: Mission, vehicle: Vehicle | None = None) -> tuple[Fin
         *check_time(mission, vehicle, parameters),
         *check_end(mission),
         *check_zones(mission),
+        *check_floor(mission, vehicle),
         *check_dock(mission, vehicle, parameters),
         *check_sight(mission, vehicle, parameters),
         *check_first_sight(mission, vehicle, parameters),

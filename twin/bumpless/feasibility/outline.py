@@ -39,6 +39,31 @@ def stretches(a: Point, b: Point, corners: Sequence[Point]) -> list[tuple[float,
     return found
 
 
+def near_part(
+    start: Sequence[float], end: Sequence[float], middle: Sequence[float], radius: float
+) -> tuple[float, float] | None:
+    """The part of a straight way within `radius` of a place, as shares of the way; None: it is never."""
+    way = [b - a for a, b in zip(start, end, strict=True)]
+    off = [a - m for a, m in zip(start, middle, strict=True)]
+    length2, along = sum(w * w for w in way), sum(w * o for w, o in zip(way, off, strict=True))
+    beyond2 = sum(o * o for o in off) - radius * radius
+    if length2 == 0.0:
+        return (0.0, 1.0) if beyond2 <= 0.0 else None
+    root2 = along * along - length2 * beyond2
+    if root2 < 0.0:
+        return None
+    first, last = ((-along + sign * math.sqrt(root2)) / length2 for sign in (-1.0, 1.0))
+    return (max(first, 0.0), min(last, 1.0)) if last >= 0.0 and first <= 1.0 else None
+
+
+def apart(a: Point, b: Point, corners: Sequence[Point]) -> bool:
+    """Whether the way from a to b lies wholly on one side of the outline's box, so that they can't meet."""
+    return any(
+        max(a[k], b[k]) < min(c[k] for c in corners) or min(a[k], b[k]) > max(c[k] for c in corners)
+        for k in (0, 1)
+    )
+
+
 def nearest(point: Point, corners: Sequence[Point]) -> Point:
     """The point of an outline's edge that is nearest."""
     options = [_on_edge(point, *edge) for edge in _edges(corners)]

@@ -10,6 +10,7 @@ from bumpless.config.mission import Mission
 from bumpless.config.parameters import Parameters
 from bumpless.config.vehicle import Vehicle
 from bumpless.feasibility.finding import SOFT, Finding, Mend
+from bumpless.feasibility.outline import near_part
 from bumpless.feasibility.reach import plain
 from bumpless.physics.camera import in_view, view_from
 from bumpless.sim.settings import sensors_of
@@ -24,7 +25,12 @@ def seen_from(mission: Mission, vehicle: Vehicle, leg: int) -> float | None:
     target, point = np.array(mission.target.position_ned_m), np.array(mission.target.observation_point_ned_m)
     course, view = math.atan2(end[1] - start[1], end[0] - start[0]), np.zeros(3)
     nearest = None
-    for share in np.arange(0.0, 1.0, _STEP_M / max(math.dist(start, end), _STEP_M)):
+    begin, finish = mission.path_ned_m[leg : leg + 2]
+    part = near_part(begin, finish, mission.target.position_ned_m, _sight_m(sensors))
+    if part is None:
+        return None
+    step = _STEP_M / max(math.dist(start, end), _STEP_M)
+    for share in np.arange(max(math.floor(part[0] / step), 0) * step, min(part[1] + step, 1.0), step):
         place = start + share * (end - start)
         eta = np.array([*place, 0.0, 0.0, course])
         plain(view_from)(sensors.camera_position[0], sensors.camera_pitch[0], eta, target, view)
@@ -32,6 +38,11 @@ def seen_from(mission: Mission, vehicle: Vehicle, leg: int) -> float | None:
             far = math.dist(place[:2], point[:2])
             nearest = far if nearest is None else min(nearest, far)
     return nearest
+
+
+def _sight_m(sensors: Any) -> float:
+    """No farther than this is a place from the target that its main camera sees, m."""
+    return float(sensors.camera_range_max[0]) + float(np.linalg.norm(sensors.camera_position[0]))
 
 
 def check_sight(mission: Mission, vehicle: Vehicle, parameters: Parameters) -> Iterator[Finding]:

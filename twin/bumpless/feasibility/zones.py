@@ -8,7 +8,7 @@ from itertools import pairwise
 from bumpless.config.mission import Mission
 from bumpless.config.mission.zones import Corner, KeepOut
 from bumpless.feasibility.finding import HARD, Finding, Mend
-from bumpless.feasibility.outline import Point, beyond, inside, middle_of, nearest, stretches
+from bumpless.feasibility.outline import Point, apart, beyond, inside, middle_of, nearest, stretches
 
 _CLEAR_M = 2.0  # of a zone, for a place that is offered instead
 Place = tuple[float, float, float]
@@ -16,8 +16,11 @@ Place = tuple[float, float, float]
 
 def check_zones(mission: Mission) -> Iterator[Finding]:
     """Every leg against every keep-out zone and the keep-in boundary."""
+    boxes = [_box(_plan(zone.corners)) for zone in mission.keep_out]
     for i, (start, end) in enumerate(pairwise(mission.path_ned_m)):
         for k, zone in enumerate(mission.keep_out):
+            if apart(start[:2], end[:2], boxes[k]):
+                continue
             crossed = _crossed(start, end, zone)
             if crossed > 0.0:
                 yield _through(mission, i, k, crossed)
@@ -113,6 +116,11 @@ def _back(place: Place, boundary: list[Point], field: str) -> tuple[Mend, ...]:
         return ()
     moved = (round(north, 1), round(east, 1), place[2])
     return (Mend(field, moved, f"Move it inside, to [{moved[0]:g}, {moved[1]:g}]"),)
+
+
+def _box(outline: list[Point]) -> list[Point]:
+    """Two opposite corners of the box around an outline."""
+    return [(f(n for n, _ in outline), f(e for _, e in outline)) for f in (min, max)]
 
 
 def _plan(corners: tuple[Corner, ...]) -> list[Point]:

@@ -28,24 +28,43 @@ except ImportError:
 
 def compiled_sources(root: Path = Path(__file__).parents[1]) -> list[Path]:
     """Every file under `root` (the package `bumpless`) that compiled code can depend on, sorted."""
-    texts = {path: path.read_text(encoding="utf-8") for path in root.rglob("*.py")}
-    seed = re.compile(r"^\s*(from bumpless\.jit import|(from|import) numba)", re.MULTILINE)
-    waiting = [path for path, text in texts.items() if seed.search(text)]
-    found: set[Path] = set()
+    return sorted(Path(path) for path in _read(str(root)))
+
+
+def _read(root: str) -> dict[str, bytes]:
+    """What those files hold, by path. Every start pays for this: hence bytes and one search of each file."""
+    texts: dict[str, bytes] = {}
+    for folder, _, names in os.walk(root):
+        for name in names:
+            if name.endswith(".py"):
+                with open(path := os.path.join(folder, name), "rb") as file:
+                    texts[path] = file.read()
+    waiting = [path for path, text in texts.items() if _is_compiled(text)]
+    found: dict[str, bytes] = {}
     while waiting:
         path = waiting.pop()
         if path in texts and path not in found:
-            found.add(path)
-            for name in re.findall(r"^\s*(?:from|import) bumpless\.([\w.]+)", texts[path], re.MULTILINE):
-                module = root / name.replace(".", "/")
-                waiting += [module.with_suffix(".py"), module / "__init__.py"]
-    return sorted(found)
+            text = found[path] = texts[path]
+            for name in _NAMED.finditer(text):
+                if _IMPORT.search(text, max(0, name.start() - 40), name.start()):
+                    module = os.path.join(root, *name[1].decode("ascii", "replace").split("."))
+                    waiting += [module + ".py", os.path.join(module, "__init__.py")]
+    return found
+
+
+_NAMED = re.compile(rb"bumpless\.([\w.]+)")
+_IMPORT = re.compile(rb"^\s*(?:from|import) \Z", re.MULTILINE)
+_SEED = re.compile(rb"^\s*(from bumpless\.jit import|(from|import) numba)", re.MULTILINE)
+
+
+def _is_compiled(text: bytes) -> bool:
+    return (b"numba" in text or b"bumpless.jit" in text) and _SEED.search(text) is not None
 
 
 def _digest() -> str:
     h = hashlib.sha256(f"{numba.__version__} {np.__version__} {sys.version}".encode())
-    for path in compiled_sources():
-        h.update(path.read_bytes())
+    for _, text in sorted(_read(str(Path(__file__).parents[1])).items()):
+        h.update(text)
     return h.hexdigest()[:16]
 
 

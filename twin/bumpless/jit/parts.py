@@ -18,6 +18,8 @@ from numba.core.codegen import JITCodeLibrary
 from numba.core.imputils import lower_cast
 from numba.core.registry import CPUDispatcher
 
+from bumpless.jit.collector import uncollected
+
 _Compiler: Any = getattr(dispatcher, "_FunctionCompiler", None)
 _USED = {
     CPUDispatcher: ("add_overload", "get_overload", "get_call_template", "enable_caching"),
@@ -33,23 +35,47 @@ if not (
 
 
 class _PartLibrary(JITCodeLibrary):
-    """Collects the code of a part and of its own parts; leaves optimisation to whoever links it."""
+    """The code of one part, not yet optimised; whoever links it links what it calls as well."""
 
     def finalize(self) -> None:
         self._raise_if_finalized()
-        for library in dict.fromkeys(self._linking_libraries):
-            self._reload_init.update(library._reload_init)
-            self._final_module.link_in(library._get_module_for_linking(), preserve=True)
         self._finalize_dynamic_globals()
         self._finalized = True
 
+    def _optimize_functions(self, ll_module: Any) -> None:
+        ll_module.data_layout = self._codegen._data_layout
 
-class _PartCompiler(_Compiler):
-    """Numba's compiler up to LLVM's language, without a way in from Python."""
+    @classmethod
+    def new(cls, context: Any, name: str) -> JITCodeLibrary:
+        return cls(context.codegen(), name)
 
-    def _customize_flags(self, flags: Any) -> Any:
-        flags.no_compile = flags.no_cpython_wrapper = flags.no_cfunc_wrapper = True
-        return flags
+
+class _WholeLibrary(JITCodeLibrary):
+    """The code of a function that Python calls: each part below it is linked once, however many call it."""
+
+    def finalize(self) -> None:
+        linked: dict[Any, None] = {}
+        waiting = self._linking_libraries[::-1]
+        while waiting:
+            library = waiting.pop()
+            if library not in linked:
+                linked[library] = None
+                if isinstance(library, _PartLibrary):
+                    waiting += library._linking_libraries[::-1]
+        self._linking_libraries = list(linked)
+        super().finalize()
+
+    @classmethod
+    def new(cls, context: Any, name: str) -> JITCodeLibrary:
+        library = cls(context.codegen(), name)
+        library.enable_object_caching()
+        return library
+
+
+class _WholeCompiler(_Compiler):
+    """Numba's compiler into a library of the given kind."""
+
+    library: Any = _WholeLibrary
 
     def _compile_core(self, args: Any, return_type: Any) -> Any:
         flags = compiler.Flags()
@@ -58,8 +84,18 @@ class _PartCompiler(_Compiler):
         return compiler.compile_extra(
             self.targetdescr.typing_context, context, self.py_func, args=args, return_type=return_type,
             flags=self._customize_flags(flags), locals=self.locals, pipeline_class=self.pipeline_class,
-            library=_PartLibrary(context.codegen(), self.py_func.__qualname__),
+            library=self.library.new(context, self.py_func.__qualname__),
         )  # fmt: skip
+
+
+class _PartCompiler(_WholeCompiler):
+    """Numba's compiler up to LLVM's language, without a way in from Python."""
+
+    library = _PartLibrary
+
+    def _customize_flags(self, flags: Any) -> Any:
+        flags.no_compile = flags.no_cpython_wrapper = flags.no_cfunc_wrapper = True
+        return flags
 
 
 @lower_cast(types.NestedArray, types.Array)
@@ -100,8 +136,13 @@ class Function(CPUDispatcher):
 
     def __init__(self, py_func: Any, targetoptions: dict[str, Any]) -> None:
         super().__init__(py_func, targetoptions={**targetoptions, "no_cfunc_wrapper": True})
+        self._compiler = _WholeCompiler(py_func, self.targetdescr, self.targetoptions, {}, compiler.Compiler)
         self.part = _Part(py_func, targetoptions)
         self.enable_caching()
+
+    def compile(self, sig: Any) -> Any:
+        with uncollected():
+            return super().compile(sig)
 
     @property
     def _numba_type_(self) -> types.Dispatcher:

@@ -78,7 +78,7 @@ class Columns:
     def from_log(cls, log: npt.NDArray[Any], n_u: int) -> Self:
         """From an array of LOG rows; rows outside the mission are left out."""
         flown = np.isin(log["phase"], FLOWN)
-        rows = log if flown.all() else log[flown]  # whole rows are wide: they are not copied without need
+        rows = log if flown.all() else log[flown]  # a mask copies whole rows, and columns are copied below
         named = log.dtype.names or ()
         absent: Any = np.zeros(len(rows), np.int64)
         columns: dict[str, Any] = {

@@ -53,7 +53,7 @@ def clearance_of(run: Columns, vehicle: "Vehicle", known: bool, body: Body) -> C
     A body with a heading of its own is sought there and across the approach heading in use.
     """
     eta, marker = (run.eta, run.target_true) if known else (run.eta_hat, run.target[:, :3])
-    fore, aft = ends_of(vehicle)
+    fore, aft = vehicle.ends_m
     ahead, from_marker = _ahead(eta), eta[:, :3] - marker
     to_marker = _to_origin(from_marker + fore * ahead, from_marker + aft * ahead)
     inside = np.zeros(len(eta), bool)
@@ -64,17 +64,10 @@ def clearance_of(run: Columns, vehicle: "Vehicle", known: bool, body: Body) -> C
     return Clearance(to_marker, inside)
 
 
-def ends_of(vehicle: "Vehicle") -> tuple[float, float]:
-    """x of nose and tail in body axes, m; a box has its origin in the middle."""
-    length = vehicle.hull.length_m
-    fore = getattr(vehicle.hull, "nose_to_origin_m", 0.5 * length)
-    return fore, fore - length
-
-
 def points_of(vehicle: "Vehicle") -> Floats:
     """(m, 3) points of the hull in body axes, m."""
     axis = np.zeros((AXIS_POINTS, 3))
-    axis[:, 0] = np.linspace(*ends_of(vehicle), AXIS_POINTS)
+    axis[:, 0] = np.linspace(*vehicle.ends_m, AXIS_POINTS)
     return np.vstack([axis, [actuator.position_m for actuator in vehicle.actuators]])
 
 

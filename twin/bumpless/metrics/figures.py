@@ -2,6 +2,7 @@
 
 from typing import TYPE_CHECKING
 
+from bumpless.chart import floor_of
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.metrics.columns import Columns
 from bumpless.metrics.dock import body_of
@@ -30,6 +31,7 @@ def figures_of(
     mission: says where the dock stands; None where nobody knows. limits: what docked means.
     """
     metrics, body = metrics_of(columns, vehicle, run_id), body_of(mission.target if mission else None)
-    outcome = outcome_of(columns, vehicle, how, reason, body, limits)
+    floor = floor_of(mission) if mission else None
+    outcome = outcome_of(columns, vehicle, how, reason, body, limits, floor)
     metrics.outcome.CopyFrom(outcome.message())
     return metrics, outcome

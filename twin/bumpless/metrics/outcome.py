@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Literal, cast
 
 import numpy as np
 
+from bumpless.chart import Floor
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.enums import HOVER, WAVED_OFF_STAGES
 from bumpless.contract.modes import LOOKS, MODE_LETTERS
@@ -17,6 +18,7 @@ from bumpless.metrics.capture import Capture, capture_of
 from bumpless.metrics.columns import Columns
 from bumpless.metrics.dock import ANY_SIDE, Body, Clearance, clearance_of
 from bumpless.metrics.errors import EndErrors, Errors, believed_errors, is_known, true_errors
+from bumpless.metrics.floor import floor_clearance
 
 if TYPE_CHECKING:
     from bumpless.config.vehicle import Vehicle
@@ -109,11 +111,12 @@ def outcome_of(
     reason: str = "",
     body: Body = ANY_SIDE,
     limits: Limits = DOCKED,
+    floor: Floor | None = None,
 ) -> Outcome:
     """The outcome of a run of `vehicle` that ended as `how`, for `reason`.
 
-    body: the dock. Whenever a part of the hull was inside it, the run has collided, and nothing later mends
-    that.
+    body: the dock. Whenever a part of the hull was inside it or in the sea floor, the run has collided, and
+    nothing later mends that.
     """
     if len(run) == 0:
         ending = Ending.TIME_OVER if how == "completed" else Ending(how)
@@ -125,6 +128,8 @@ def outcome_of(
     clearance, dock = clearance_of(run, vehicle, known, body), capture_of(run)
     if clearance.inside.any():
         ending, text, why = _collided(run, errors, clearance)
+    elif (ground := _grounded(run, vehicle, known, floor)) is not None:
+        ending, text, why = ground
     elif dock and dock.overloaded:
         ending, text, why = Ending.COLLIDED, dock.harm, "hull and dock met too hard"
     elif how != "completed":
@@ -209,6 +214,17 @@ def _collided(run: Columns, errors: Errors, clearance: Clearance) -> Said:
         f"{run.time[row]:.1f} s after the start, at {errors.speed[row]:.2f} m/s."
     )
     return Ending.COLLIDED, text, f"in the dock in {LOOKS[int(run.mode[row])].key}"
+
+
+def _grounded(run: Columns, vehicle: "Vehicle", known: bool, floor: Floor | None) -> Said | None:
+    if floor is None:
+        return None
+    touched = floor_clearance(run.eta if known else run.eta_hat, vehicle, floor) < 0.0
+    if not touched.any():
+        return None
+    row = int(np.argmax(touched))
+    text = f"the hull was on the sea floor {run.time[row]:.1f} s after the start, at {run.depth[row]:.1f} m."
+    return Ending.COLLIDED, text, f"on the sea floor in {LOOKS[int(run.mode[row])].key}"
 
 
 def _where(run: Columns, errors: Errors) -> str:

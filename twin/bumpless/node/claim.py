@@ -18,7 +18,8 @@ class TakenError(RuntimeError):
 class Claim:
     """This session's claim on a vehicle id.
 
-    A vehicle says nothing before `stake` and `confirm` have passed: both refuse when the id is alive.
+    A vehicle says nothing before `stake` and `confirm` have passed: both refuse when the id is alive. Where
+    the bus it connects to is not there, `settled` stays False: it asks again, by `confirm`, once it is.
     After that every node sees the claims of all others, also of one that was cut off from the bus while
     both started: the older claim stays, `contested` tells the younger one why it must leave. Equal times are
     told apart by session id, so exactly one stays. `connects` says that there should be a bus to link with.
@@ -29,6 +30,7 @@ class Claim:
         self._vehicle = vehicle
         self._connects = connects
         self._mine = ("", "")
+        self.settled = False  # asked of everybody that this session can ever hear of before it speaks
         self._older: dict[str, str] = {}  # claims older than ours by session id; written on Zenoh's thread
         self._held: list[zenoh.LivelinessToken | zenoh.Subscriber] = []
 
@@ -50,6 +52,11 @@ class Claim:
         for key in self._alive(keys.claim(self._vehicle, "*", "*")):
             if _claimed(key) < self._mine:
                 raise TakenError(self._why(key))
+        self.settled = self.linked() or not self._connects
+
+    def linked(self) -> bool:
+        """Is there anybody on the bus beside this session?"""
+        return next(iter(self._session.info.transports()), None) is not None
 
     def declare_alive(self) -> None:
         """Say that the vehicle is ready."""

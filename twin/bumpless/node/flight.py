@@ -9,8 +9,11 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
+from bumpless.config.vehicle.failsafe import REACTIONS, WORDS, Failsafe, Reaction
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.enums import ALARM, FLYING, MOVING, PAUSED, RUNNING, WARNING
+from bumpless.node.failsafe import Watch, told
+from bumpless.sim.condition import Condition
 from bumpless.sim.events import TwinEvent
 from bumpless.telemetry import FlightState
 
@@ -32,6 +35,10 @@ class TwinLike(Protocol):
     def pause(self) -> None: ...
     def resume(self) -> None: ...
     def abort(self, reason: str) -> None: ...
+    def surface(self) -> None: ...
+    def wave_off(self) -> bool: ...
+    @property
+    def condition(self) -> Condition: ...
     def set_parameters(self, parameters: "Parameters") -> None: ...
     def step(self) -> Any: ...
     def drain_events(self) -> list[TwinEvent]: ...
@@ -40,8 +47,11 @@ class TwinLike(Protocol):
 class Flight:
     """One vehicle's twin and what it flies with. Every request gives a CommandReply."""
 
-    def __init__(self, twin: TwinLike) -> None:
+    def __init__(self, twin: TwinLike, declared: Failsafe | None = None, period_s: float = 0.05) -> None:
         self.twin = twin
+        self.place: np.ndarray | None = None  # [x y z phi theta psi] of the last cycle, m and rad
+        self._watch = Watch(declared or Failsafe(), period_s)
+        self._in_force: Reaction = "none"
         self.state = FlightState(twin.parameters)
         self.chosen = twin.parameters  # the operator's; a mission's overrides lie over them while it flies
         self._events: list[TwinEvent] = []
@@ -54,6 +64,8 @@ class Flight:
         if self.twin.phase in FLYING:
             return self.refuse("start", f"run {self.state.run_id} is being flown; abort it first")
         self.twin.start(mission, seed, parameters)
+        self._watch.begin(mission)
+        self._in_force = "none"
         flown_seed = mission.seed if seed is None else seed
         self.state = replace(self.state, mission=mission, run_id=run_id, seed=flown_seed)
         self._adopt(parameters)
@@ -71,6 +83,7 @@ class Flight:
         if self.twin.phase != PAUSED:
             return self.refuse("resume", f"no mission is paused; the phase is {phase_name(self.twin.phase)}")
         self.twin.resume()
+        self._in_force = "none"
         return self._done("mission resumed")
 
     def abort(self, reason: str = "aborted by the operator") -> pb.CommandReply:
@@ -116,15 +129,37 @@ class Flight:
             accepted=False, reason=reason, problems=problems, revision=self.state.revision, cause=cause
         )
 
-    def lose_heartbeat(self, silent_s: float, reaction: str) -> pb.CommandReply:
-        """No console for so long: do what the vehicle's file declares, and put it on record."""
-        if self.twin.phase != RUNNING:
-            return self._done("no mission is running")
-        does = "holds station" if reaction == "hold" else "aborts its mission"
-        text = f"No word from the console for {silent_s:.1f} s: the vehicle {does}, as its file declares."
-        details = {"silent_s": f"{silent_s:.1f}", "reaction": reaction}
-        self._events.append(TwinEvent(ALARM, "failsafe", text, details, self._time_s))
-        return self.pause() if reaction == "hold" else self.abort("the console's heartbeat was lost")
+    def react(self, cause: str, what: str, reaction: Reaction) -> pb.CommandReply:
+        """Do what the vehicle's file declares for a cause, and put it on record; no less than is in force."""
+        if reaction == "none" or self.twin.phase not in MOVING:
+            return self._done("nothing is to be done")
+        details = {"cause": cause, "reaction": reaction}
+        if REACTIONS.index(reaction) <= REACTIONS.index(self._in_force):
+            text = f"{what}: the vehicle {WORDS[self._in_force]} already."
+            self._events.append(TwinEvent(ALARM, "failsafe", text, details, self._time_s))
+            return self._done(text)
+        self._events.append(TwinEvent(ALARM, "failsafe", told(what, reaction), details, self._time_s))
+        self._in_force = reaction
+        if reaction == "abort":
+            return self.abort(what)
+        if reaction == "surface":
+            self.twin.surface()
+        elif self.twin.phase == RUNNING and not (reaction == "wave_off" and self.twin.wave_off()):
+            self.twin.pause()
+        return self._done(WORDS[reaction])
+
+    def come_back(
+        self, mission: "Mission", seed: int, parameters: "Parameters", run_id: str, reaction: Reaction
+    ) -> pb.CommandReply:
+        """After a crash in flight: do what the file declares, in the run that was flown."""
+        what = f"Its program crashed in run {run_id}"
+        if reaction == "abort":
+            text = told(what, reaction)
+            details = {"cause": "after_crash", "reaction": reaction}
+            self._events.append(TwinEvent(ALARM, "failsafe", text, details, self._time_s))
+            return self._done(text)
+        self.start(mission, seed, parameters, run_id)
+        return self.react("after_crash", what, reaction)
 
     def warn_of_rival(self, reason: str) -> pb.CommandReply:
         """Put on record that another node speaks for this vehicle while it flies."""
@@ -136,6 +171,11 @@ class Flight:
         """One control cycle: its row (valid until the next) and what happened since the last."""
         row = self.twin.step()
         self._time_s = float(row["time"])
+        self.place = row["eta_hat"]
+        phase = self.twin.phase
+        if phase in MOVING:
+            for cause in self._watch.look(row, phase, self.twin.condition):
+                self.react(*cause)
         happened = self.twin.drain_events()
         if self._events:
             happened, self._events = [*self._events, *happened], []

@@ -1,12 +1,14 @@
-"""How the node itself is doing: lateness, missed cycles, memory."""
+"""How the node itself is doing, and the vehicle's body: lateness, missed cycles, memory, leak, battery."""
 
 import os
 import socket
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import psutil
 
 from bumpless.contract import bumpless_pb2 as pb
+from bumpless.sim.condition import Condition
 
 if TYPE_CHECKING:
     from bumpless.node.loop import ControlLoop
@@ -16,14 +18,15 @@ if TYPE_CHECKING:
 class HealthReport:
     """Builds topic "health" from the loop's own counters, on the publisher's thread."""
 
-    def __init__(self, loop: "ControlLoop", ring: "Ring") -> None:
+    def __init__(self, loop: "ControlLoop", ring: "Ring", condition: Callable[[], Condition]) -> None:
         self._loop = loop
+        self._condition = condition
         self._ring = ring
         self._process = psutil.Process()
         self._host = socket.gethostname()
 
     def __call__(self, stamp: pb.Stamp) -> pb.Health:
-        loop = self._loop
+        loop, condition = self._loop, self._condition()
         return pb.Health(
             stamp=stamp,
             cycles=loop.cycles,
@@ -36,4 +39,6 @@ class HealthReport:
             process_id=os.getpid(),
             host_name=self._host,
             dropped_rows=self._ring.dropped,
+            leak=condition.leak,
+            battery_share=condition.battery,
         )

@@ -2,25 +2,29 @@
 
 import gc
 import threading
+import time
 from collections.abc import Callable
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import zenoh
 
-from bumpless.config.vehicle.failsafe import Failsafe
+from bumpless.config.vehicle.failsafe import Failsafe, Reaction
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract import keys
 from bumpless.contract.enums import FLYING
 from bumpless.contract.exits import FAILED, TAKEN
 from bumpless.contract.messages import descriptor_set
 from bumpless.contract.version import software_version
-from bumpless.node.claim import Claim
+from bumpless.node.claim import Claim, TakenError
+from bumpless.node.come_back import come_back
 from bumpless.node.commands import Commander
+from bumpless.node.failsafe import ClockWatch
 from bumpless.node.flight import Flight, TwinLike
 from bumpless.node.health import HealthReport
 from bumpless.node.heartbeat import Heartbeat
 from bumpless.node.loop import ControlLoop, Handoff
+from bumpless.node.memory import Memory
 from bumpless.node.pacing import FreeClock, WallClock
 from bumpless.node.publisher import BusWriter, Publisher
 from bumpless.node.ring import Ring
@@ -44,25 +48,32 @@ class Node:
         twin: TwinLike,
         stop: Stop,
         realtime: bool = True,
+        memory: Memory | None = None,
     ) -> None:
         period_ns = round(vehicle.control_period_s * 1e9)
         self._session, self._name, self._stop = session, name, stop
         clock = WallClock(period_ns) if realtime else FreeClock(period_ns)
         ring = Ring(lossless=not realtime)
-        self._flight = flight = Flight(twin)
-        self._told_of_rival = False
-        # in virtual time seconds mean nothing to a console
+        self._failsafe, self._vehicle = vehicle.failsafe, vehicle
+        self._flight = flight = Flight(twin, vehicle.failsafe, vehicle.control_period_s)
+        self._told_of_rival, self._speaks = False, False
+        self._memory = memory or Memory(None)
+        # in virtual time seconds mean nothing to a console, and no clock is followed
         self._heartbeat = Heartbeat(vehicle.failsafe if realtime else Failsafe())
-        self._reaction = vehicle.failsafe.heartbeat_lost
+        jump_s = vehicle.failsafe.clock_jump_s if realtime else 0.0
+        self._clock_watch = ClockWatch(jump_s, time.time_ns, time.monotonic_ns)
         self._loop = ControlLoop(flight, clock, ring)
+        self._held: list[zenoh.Queryable[None] | zenoh.Subscriber[None]] = []
         teller = Teller(
             replace(vehicle, id=name),
             flight.chosen,
             software_version(),
             str(session.zid()),
-            health=HealthReport(self._loop, ring),
+            health=HealthReport(self._loop, ring, lambda: twin.condition),
         )
-        self._publisher = Publisher(ring, teller, BusWriter(session, name, wait=not realtime))
+        self._publisher = Publisher(
+            ring, teller, BusWriter(session, name, not realtime, vehicle.control_period_s)
+        )
         self._commander = Commander(
             name,
             vehicle,
@@ -82,37 +93,74 @@ class Node:
         The order at the end: the loop flies its last cycle, all rows are said, requests are answered.
         """
         thread = threading.Thread(target=self._loop.run, args=(self._ended,), name="control", daemon=True)
-        self._publisher.start()
         self._commander.start()
-        held = self._serve()
         gc.collect()
         gc.freeze()  # what is loaded stays; later collections look only at what came after
         gc.disable()  # and happen when the publisher says so
         thread.start()
-        claim.declare_alive()
-        say(f"{self._name} is alive")
+        if claim.settled:
+            self._speak(claim, say)
+        else:
+            say(f"{self._name} is ready, and says nothing before it has found its bus")
+        left = self._memory.left()
+        if left is not None:
+            say(come_back(left, self._vehicle, self._flight, self._loop))
         if first is not None:
             reply = self._commander.answer("start", first.SerializeToString())
             say(reply.reason)
             for problem in reply.problems:
                 say(f"{problem.file}:{problem.line}: {problem.field}: {problem.rule}")
         while not self._stop.event.wait(LOOK_S):
-            self._look_at(claim)
+            self._look_at(claim, say)
         self._loop.stop(self._stop.reason)
         thread.join()
-        self._publisher.join()
-        for one in held:
+        if self._speaks:
+            self._publisher.join()
+        self._memory.forget()
+        for one in self._held:
             one.undeclare()
         self._commander.close()
         return self._loop.fault
 
-    def _look_at(self, claim: Claim) -> None:
-        """What the bus must not wait for: the console's silence, an older node."""
-        lost_s = self._heartbeat.lost_s(self._flight.twin.phase)
+    def _speak(self, claim: Claim, say: Callable[[str], None]) -> None:
+        """From now on it is heard and can be asked: nobody else is the vehicle."""
+        self._speaks = True
+        self._publisher.start()
+        self._held = self._serve()
+        claim.declare_alive()
+        say(f"{self._name} is alive")
+
+    def _settle(self, claim: Claim, say: Callable[[str], None]) -> None:
+        """The bus was not there at the start. Once it is, ask before a word is said."""
+        if not claim.linked():
+            return
+        try:
+            claim.confirm()
+        except TakenError as error:
+            if self._flight.twin.phase in FLYING:  # a mission that began without any bus is flown to its end
+                return
+            self._stop(str(error), TAKEN)
+            return
+        self._speak(claim, say)
+
+    def _look_at(self, claim: Claim, say: Callable[[str], None]) -> None:
+        """What the loop must not wait for: the disk, the clock, the console's silence, other nodes."""
+        phase = self._flight.twin.phase
+        self._memory.note(phase, self._flight.state, self._flight.place)
+        lost_s = self._heartbeat.lost_s(phase)
         if lost_s is not None:
-            does = self._reaction
-            self._loop.submit(Handoff("failsafe", lambda flight: flight.lose_heartbeat(lost_s, does)))
-        self._look_for_rivals(claim)
+            what = f"No word from the console for {lost_s:.1f} s"
+            self._react("heartbeat_lost", what, self._failsafe.heartbeat_lost)
+        jump_s = self._clock_watch.jump_s()
+        if jump_s is not None:
+            self._react("clock_jump", f"Its clock has jumped by {jump_s:+.1f} s", self._failsafe.clock_jump)
+        if self._speaks:
+            self._look_for_rivals(claim)
+        else:
+            self._settle(claim, say)
+
+    def _react(self, cause: str, what: str, reaction: Reaction) -> None:
+        self._loop.submit(Handoff("failsafe", lambda flight: flight.react(cause, what, reaction)))
 
     def _look_for_rivals(self, claim: Claim) -> None:
         """Give way to an older node, but never in flight: then it is said, and settled afterwards."""

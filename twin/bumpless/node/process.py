@@ -28,6 +28,8 @@ class Options:
     mission: str | Path | None = None
     mode: str | None = None
     make_twin: "Callable[[Vehicle], TwinLike] | None" = None
+    zenoh_config: Path | None = None
+    memory: Path | None = None
 
 
 def say(text: str) -> None:
@@ -44,6 +46,8 @@ def main(
     mission: str | Path | None = None,
     mode: str | None = None,
     make_twin: "Callable[[Vehicle], TwinLike] | None" = None,
+    zenoh_config: Path | None = None,
+    memory: Path | None = None,
 ) -> int:
     """Run the vehicle `vehicle_id` on the bus until SIGTERM, SIGINT or its `shutdown` command.
 
@@ -51,7 +55,9 @@ def main(
     `listen` are Zenoh endpoints, `mode` is "peer" or "client" (chosen by the endpoints when None, see
     `bumpless.node.session.choose_mode`). `mission` is a file to fly as soon as the node is ready. Without
     `realtime` a mission is flown in virtual time, as fast as the bus takes it. `make_twin` replaces the
-    simulated vehicle. To be called from the main thread.
+    simulated vehicle. `zenoh_config` is a Zenoh configuration file, which then says all of the session.
+    `memory` is the file by which a node that comes back from a crash knows that it was in flight. To be
+    called from the main thread.
 
     Returns the exit code: 0 after a stop that was asked for, 1 after a failure, 3 when the id is taken.
     """
@@ -60,7 +66,9 @@ def main(
     stop = Stop()
     for number in (signal.SIGTERM, signal.SIGINT):
         signal.signal(number, lambda which, frame: stop(f"stopped by {signal.Signals(which).name}"))
-    options = Options(vehicle_id, vehicle_file, connect, listen, realtime, mission, mode, make_twin)
+    options = Options(
+        vehicle_id, vehicle_file, connect, listen, realtime, mission, mode, make_twin, zenoh_config, memory
+    )
     try:
         keys.check_vehicle_id(vehicle_id)
         return _run(options, stop)
@@ -73,7 +81,9 @@ def _run(options: Options, stop: Stop) -> int:
     import zenoh
 
     from bumpless.config.vehicle import load_vehicle
+    from bumpless.contract.session import endpoints_of, session_file
     from bumpless.node.claim import Claim, TakenError
+    from bumpless.node.memory import Memory
     from bumpless.node.node import Node
     from bumpless.node.prepare import ready_twin, start_request
     from bumpless.node.priority import raise_process
@@ -82,7 +92,10 @@ def _run(options: Options, stop: Stop) -> int:
     vehicle = load_vehicle(str(options.vehicle_file or options.vehicle_id))
     first = None if options.mission is None else start_request(Path(options.mission))
     try:
-        config = node_config(options.connect, options.listen, options.mode)
+        if options.zenoh_config is None:
+            config = node_config(options.connect, options.listen, options.mode)
+        else:
+            config = session_file(options.zenoh_config)
         session = open_session(config, stop.event, say)
     except zenoh.ZError as error:
         say(f"cannot open the bus: {error}")
@@ -90,7 +103,7 @@ def _run(options: Options, stop: Stop) -> int:
     if session is None:
         return stop.code
     with session:
-        connects = bool(options.connect)
+        connects = bool(endpoints_of(config)[0])
         claim = Claim(session, options.vehicle_id, connects)
         try:
             claim.stake()
@@ -100,7 +113,8 @@ def _run(options: Options, stop: Stop) -> int:
             say(str(error))
             return TAKEN
         raise_process()
-        node = Node(session, options.vehicle_id, vehicle, twin, stop, options.realtime)
+        memory = Memory(options.memory)
+        node = Node(session, options.vehicle_id, vehicle, twin, stop, options.realtime, memory)
         fault = None if stop.event.is_set() else node.run(claim, first, say)
         claim.release()
     say(stop.reason)

@@ -1,6 +1,7 @@
 """Rows to messages to the bus, on a thread that may wait as long as it likes."""
 
 import gc
+import math
 import sys
 import threading
 import time
@@ -16,19 +17,22 @@ from bumpless.telemetry import Teller
 
 EVENT_CACHE = 200  # events a late joiner can still ask for
 COLLECT_EVERY_NS = 1_000_000_000
+# numbers alone: the next message tells of those that are missing
+NUMBERED = zenoh.ext.MissDetectionConfig(heartbeat=None, sporadic_heartbeat=None)
 
 
 class BusWriter:
-    """One Zenoh publisher per topic. Telemetry is dropped under congestion, events wait for their place."""
+    """One Zenoh publisher per topic. Telemetry is dropped under congestion, events wait for their place.
 
-    def __init__(self, session: zenoh.Session, vehicle: str, wait: bool = False) -> None:
+    What was said in the last `keys.FILLED_S` is kept and numbered, so that who misses some of it can ask.
+    """
+
+    def __init__(
+        self, session: zenoh.Session, vehicle: str, wait: bool = False, period_s: float = 0.05
+    ) -> None:
         congestion = zenoh.CongestionControl.BLOCK if wait else zenoh.CongestionControl.DROP
         self._topics: dict[str, zenoh.Publisher | zenoh.ext.AdvancedPublisher] = {
-            f"tlm/{name}": session.declare_publisher(
-                keys.telemetry(vehicle, name),
-                encoding=keys.encoding_of(topic.message),
-                congestion_control=congestion,
-            )
+            f"tlm/{name}": _publisher(session, keys.telemetry(vehicle, name), topic, congestion, period_s)
             for name, topic in keys.TOPICS.items()
         }
         self._topics["truth/state"] = session.declare_publisher(
@@ -40,6 +44,7 @@ class BusWriter:
             encoding=keys.encoding_of(pb.Event),
             congestion_control=zenoh.CongestionControl.BLOCK,
             cache=zenoh.ext.CacheConfig(max_samples=EVENT_CACHE),
+            sample_miss_detection=NUMBERED,
             publisher_detection=True,
         )
 
@@ -57,6 +62,23 @@ class BusWriter:
     def put(self, topic: str, message: Message) -> None:
         """Say one message. The same message always gives the same bytes."""
         self._topics[topic].put(message.SerializeToString(deterministic=True))
+
+
+def _publisher(
+    session: zenoh.Session, key: str, topic: keys.Topic, congestion: zenoh.CongestionControl, period_s: float
+) -> "zenoh.Publisher | zenoh.ext.AdvancedPublisher":
+    encoding = keys.encoding_of(topic.message)
+    if not topic.filled:
+        return session.declare_publisher(key, encoding=encoding, congestion_control=congestion)
+    kept = max(2, math.ceil(keys.FILLED_S * topic.nominal_rate_hz(period_s)))
+    return zenoh.ext.declare_advanced_publisher(
+        session,
+        key,
+        encoding=encoding,
+        congestion_control=congestion,
+        cache=zenoh.ext.CacheConfig(max_samples=kept),
+        sample_miss_detection=NUMBERED,
+    )
 
 
 class Publisher:

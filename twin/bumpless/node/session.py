@@ -1,13 +1,12 @@
 """The node's Zenoh session: peer or client, opened when there is someone to open it with."""
 
-import json
 import re
 import threading
 from collections.abc import Callable, Sequence
 
 import zenoh
 
-from bumpless.contract.session import session_config
+from bumpless.contract.session import endpoints_of, session_config
 
 WAIT_FOR_ROUTER_S = 1.0
 LOOPBACK_PORT = "tcp/127.0.0.1:0"
@@ -52,7 +51,7 @@ def open_session(
             if not client:
                 raise
         if not told:
-            waiting("waiting for a router at " + ", ".join(json.loads(config.get_json("connect/endpoints"))))
+            waiting("waiting for a router at " + ", ".join(endpoints_of(config)[0]))
             told = True
         stopped.wait(WAIT_FOR_ROUTER_S)
     return None

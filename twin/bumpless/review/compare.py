@@ -92,4 +92,18 @@ def _flat(value: Any, path: str = "") -> Iterator[tuple[str, str]]:
         for index, item in enumerate(value):
             yield from _flat(item, f"{path}[{index}]")
     else:
-        yield path, str(value)
+        yield path, _text(value)
+
+
+def _text(value: Any) -> str:
+    """A leaf; 90 and 90.0 are the same number."""
+    if isinstance(value, float) and value.is_integer():
+        return str(int(value))
+    return str([_Plain(_text(item)) for item in value]) if isinstance(value, list) else str(value)
+
+
+class _Plain(str):
+    """Stands in a list without quotes."""
+
+    def __repr__(self) -> str:
+        return str(self)

@@ -18,7 +18,7 @@ from bumpless.runs.run import Run
 MOST_POINTS = 1200  # of a line: more is finer than print
 WIDTH_IN = 7.2
 INK, FAINT, TRACE, REFERENCE, ALARM = "#0f1b2a", "#aebccb", "#0369a1", "#7c3aed", "#b91c1c"
-_STYLE: Any = {
+STYLE: Any = {
     "svg.fonttype": "none",
     "font.family": "sans-serif",
     "font.size": 8,
@@ -47,7 +47,7 @@ def drawings(run: Run, events: Sequence[Any]) -> list[tuple[str, str]]:
     commands = run.vehicle.commands if run.vehicle is not None else ()
     columns, made = _thinned(run.columns, [command.unit for command in commands]), []
     names = [f"{command.name}, {command.unit}" for command in commands]
-    with matplotlib.rc_context(_STYLE):
+    with matplotlib.rc_context(STYLE):
         made.append(("Timeline", _timeline(columns, events)))
         made.append(("Motion, with its references", _stacked(columns, (_depth, _speed, _heading, _aside))))
         made.append(
@@ -96,7 +96,8 @@ def _thinned(run: Columns, units: Sequence[str]) -> Lines:
     return Lines(**columns | {name: columns[name] * edge for name in ("u", "u_feedback")})
 
 
-def _svg(figure: Any) -> str:
+def svg_of(figure: Any) -> str:
+    """The figure as SVG, closed."""
     from matplotlib import pyplot
 
     out = io.StringIO()
@@ -137,7 +138,7 @@ def _timeline(run: Lines, events: Sequence[Any]) -> str:
             axes.axvline(event.stamp.mission_time_s, color=ALARM, linewidth=1.2)
     axes.set(xlim=(run.time[0], run.time[-1]), ylim=(0, 1), yticks=[], xlabel="mission time, s")
     axes.grid(visible=False)
-    return _svg(figure)
+    return svg_of(figure)
 
 
 def _stacked(run: Lines, draws: Sequence[Draw], height: float = 1.15) -> str:
@@ -151,7 +152,7 @@ def _stacked(run: Lines, draws: Sequence[Draw], height: float = 1.15) -> str:
         draw(axes, run)
         axes.margins(x=0)
     many[-1, 0].set_xlabel("mission time, s")
-    return _svg(figure)
+    return svg_of(figure)
 
 
 def _pair(axes: Any, time: Any, value: Any, reference: Any, label: str) -> None:
@@ -212,4 +213,4 @@ def _track(run: Lines) -> str:
     axes.set(xlabel="east, m", ylabel="north, m")
     axes.set_aspect("equal", adjustable="datalim")
     axes.legend(fontsize=7, frameon=False)
-    return _svg(figure)
+    return svg_of(figure)

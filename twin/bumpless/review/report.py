@@ -17,6 +17,7 @@ from bumpless.contract.modes import LOOKS, MODE_LETTERS
 from bumpless.contract.version import software_version
 from bumpless.metrics import as_dict
 from bumpless.review.figures import FIGURES
+from bumpless.review.scene3d import MakeHull, as_json, scene, script, script_hash
 from bumpless.runs.flight import open_run
 from bumpless.runs.run import Run
 
@@ -36,18 +37,22 @@ class Switch:
     settling: str  # until 15 s after the ramp
 
 
-def report_of(path: Path) -> str:
-    """The report of a recorded run. Raises ValueError when the file has no figures; `ExtraMissing`."""
-    jinja2 = imported("jinja2", "report")
+def report_of(path: Path, make_hull: MakeHull | None = None) -> str:
+    """The report of a recorded run. Raises ValueError when the file has no figures; `ExtraMissing`.
+
+    make_hull: the vehicle's picture for the replay in 3-D; a plain spindle without.
+    """
+    imported("jinja2", "report")
     from bumpless.review.drawings import drawings
 
     run = open_run(path)
     metrics, outcome = run.metrics, run.outcome
     events: list[Any] = [message for topic, message in run.messages() if topic == "event"]
-    text = (resources.files("bumpless.review") / "report.html.j2").read_text(encoding="utf-8")
-    template = jinja2.Environment(autoescape=True, trim_blocks=True, lstrip_blocks=True).from_string(text)
+    replay = scene([run], [0.0], make_hull)
     told = as_dict(metrics)
-    return template.render(
+    return rendered(
+        "report.html.j2",
+        replay,
         info=run.info,
         started=datetime.fromtimestamp(max(0, run.info.started_ns) // 1_000_000_000, UTC),
         outcome=outcome,
@@ -64,6 +69,27 @@ def report_of(path: Path) -> str:
         version=software_version(),
         letters=MODE_LETTERS,
     )
+
+
+def rendered(template: str, replay: dict[str, Any], **told: Any) -> str:
+    """A page of one file out of a template of this folder, the view in 3-D in it."""
+    jinja2 = imported("jinja2", "report")
+    loader = jinja2.FunctionLoader(_read)
+    environment = jinja2.Environment(loader=loader, autoescape=True, trim_blocks=True, lstrip_blocks=True)
+    view = {"replay": replay, "replay_json": as_json(replay), "script": script(), "policy": policy()}
+    return environment.get_template(template).render(**view, **told)
+
+
+def policy() -> str:
+    """What a report may do, offline as well as served: show itself, and run the one script of ours."""
+    return (
+        f"default-src 'none'; style-src 'unsafe-inline'; script-src '{script_hash()}'; "
+        "base-uri 'none'; form-action 'none'"
+    )
+
+
+def _read(name: str) -> str:
+    return (resources.files("bumpless.review") / name).read_text(encoding="utf-8")
 
 
 def _switches(metrics: pb.Metrics, events: list[Any]) -> Iterator[Switch]:

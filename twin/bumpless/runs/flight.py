@@ -6,8 +6,9 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from bumpless.config.mission import Mission, missions_folder, parse_mission
+from bumpless.config.mission import Mission, MissionError, missions_folder, parse_mission
 from bumpless.config.parameters import ParameterError, Parameters, check, default_parameters, with_overrides
+from bumpless.config.problems import Problem
 from bumpless.config.vehicle import Vehicle, load_vehicle
 from bumpless.runs.flown import Flown
 from bumpless.runs.run import Run
@@ -21,12 +22,20 @@ def load_mission(source: str | Path, vehicle: Vehicle | None = None) -> Mission:
     """The mission of a file, or the one that ships under that name, such as "docking".
 
     It is checked against `vehicle`, which may be another than the one it asks for; without, against that one.
+    A depth grid that it names is taken from its folder, where it lies there as an ESRI ASCII grid.
     Raises MissionError with every problem and its place, OSError when the file cannot be read.
     """
+    from bumpless.chart.beside import beside
+    from bumpless.chart.grid import NotAGrid
+
     path = Path(source)
     if not path.suffix and not path.exists():
         path = missions_folder() / f"{source}.yaml"
     mission = parse_mission(path.read_bytes(), str(path), vehicle, any_vehicle=vehicle is not None)
+    try:
+        mission = beside(mission, path.parent)
+    except NotAGrid as error:
+        raise MissionError([Problem(path.name, None, None, "sea_floor.grid", None, str(error))]) from error
     return replace(mission, source=path.name)
 
 

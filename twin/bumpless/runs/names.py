@@ -6,7 +6,9 @@ LIBRARY = "bumpless"
 FORMAT = "2"  # grows when readers must know; 1 named its records "run" and "end"
 RUN_RECORD, END_RECORD = "run", "end"
 METRICS, PARAMETERS = "metrics.json", "parameters.json"
+SEA_FLOOR = "sea_floor.grid"  # the depth grid that the mission named, where whoever flew it had it
 YAML, TOML, JSON = "application/yaml", "application/toml", "application/json"
+BYTES = "application/octet-stream"
 ENDING = ".mcap"
 
 COMPLETE, INTERRUPTED, RECORDING = "complete", "interrupted", "recording"

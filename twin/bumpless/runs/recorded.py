@@ -8,6 +8,7 @@ from pathlib import Path
 
 from google.protobuf.message import Message
 
+from bumpless.chart import NotAGrid, from_bytes, with_floor
 from bumpless.config.mission import Mission
 from bumpless.config.parameters import Parameters, as_dict, default_parameters, with_overrides
 from bumpless.config.problems import ProblemsError
@@ -68,7 +69,13 @@ class Recorded:
     @cached_property
     def mission(self) -> Mission | None:
         """The mission as the vehicle flew it; None when the file has none that can be read."""
-        return self._columns.mission
+        mission, grid = self._columns.mission, self._records.attachments.get(names.SEA_FLOOR)
+        if mission is None or grid is None:
+            return mission
+        try:
+            return with_floor(mission, from_bytes(grid))
+        except NotAGrid:
+            return mission
 
     @cached_property
     def parameters(self) -> Parameters | None:

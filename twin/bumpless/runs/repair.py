@@ -40,7 +40,7 @@ def repair(path: Path) -> Repair:
     return found
 
 
-class _Copy:
+class Copy:
     """The new file, with ids of schemas and channels kept apart from the old one's."""
 
     def __init__(self, target: BinaryIO, header: Header) -> None:
@@ -51,6 +51,7 @@ class _Copy:
         self.messages = self.attachments = self.first_ns = self.last_ns = 0
 
     def add(self, record: object) -> None:
+        """Write one record; what is no part of a log's content is passed over."""
         writer = self.writer
         match record:
             case Schema() if record.id not in self.schemas:
@@ -92,7 +93,7 @@ def _copy(source: BinaryIO, target: BinaryIO) -> Repair:
         raise ValueError(f"not an MCAP file: {error}") from error
     if not isinstance(header, Header):
         raise ValueError("not an MCAP file: it does not begin with a header")
-    copy = _Copy(target, header)
+    copy = Copy(target, header)
     try:
         for record in records:
             copy.add(record)

@@ -4,12 +4,13 @@ from collections.abc import Sequence
 from itertools import chain
 from pathlib import Path
 
+from bumpless.chart import to_bytes
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.messages import encoded
 from bumpless.metrics import Figures
 from bumpless.runs.flown import Flown
 from bumpless.runs.info import ending_of
-from bumpless.runs.names import MISSION
+from bumpless.runs.names import BYTES, MISSION, SEA_FLOOR
 from bumpless.runs.view import View
 from bumpless.runs.writer import RunWriter
 
@@ -31,6 +32,9 @@ def write_flown(flown: Flown, figures: Figures, path: Path, views: Sequence[View
                 writer.status = message
             if callable(progress) and writer.messages % _SHOW_EVERY == 0:
                 progress((time_ns - flown.started_ns) / span_ns)
+        grid = flown.result.mission.depth_grid
+        if grid is not None:
+            writer.attach(SEA_FLOOR, BYTES, to_bytes(grid))
         writer.finish(*ending_of(writer.status), figures=figures)
     except BaseException:
         writer.abandon()

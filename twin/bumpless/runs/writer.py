@@ -81,6 +81,11 @@ class RunWriter:
         if len(self._said) == len(CONTEXT):
             self.flush()
 
+    def attach(self, name: str, media_type: str, data: bytes) -> None:
+        """Put a whole file into the log, once its first record is there."""
+        self.flush()
+        self._file.attach(name, media_type, data, self._end_ns)
+
     def flush(self) -> None:
         """Bring what was written to the disk; a killed process loses nothing older."""
         if self._held is not None:

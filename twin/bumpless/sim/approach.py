@@ -5,7 +5,6 @@ import math
 from bumpless.config.mission.model import Target
 from bumpless.config.vehicle import Vehicle
 from bumpless.control.docking.gates import NOSE_GUARD
-from bumpless.metrics.dock import ends_of
 
 _ASIDE_M = 0.12  # offset in H that is waited out
 _SLACK_M = 0.1  # for what gusts and the camera's error add
@@ -17,7 +16,7 @@ def turn_limit_deg(target: Target, vehicle: Vehicle) -> float:
     (standoff - nose) cos a - aside sin a >= guard + slack: turned by a, the nose stands nearer to the face,
     and an offset takes it nearer still.
     """
-    before = target.standoff_m - ends_of(vehicle)[0]
+    before = target.standoff_m - vehicle.ends_m[0]
     reach, needed = math.hypot(before, _ASIDE_M), NOSE_GUARD + _SLACK_M
     if before <= needed:
         return 0.0

@@ -13,7 +13,6 @@ from bumpless.config.mission import Mission
 from bumpless.config.parameters import Parameters
 from bumpless.config.vehicle import Vehicle
 from bumpless.control.plan import PLAN
-from bumpless.metrics.dock import ends_of
 from bumpless.physics.sensors import SENSORS
 from bumpless.sim.approach import turn_used_deg
 
@@ -43,7 +42,7 @@ def plan_of(mission: Mission, vehicle: Vehicle) -> np.ndarray:
     p["target"] = [*target.position_ned_m, radians(target.heading_deg)]
     p["standoff"] = target.standoff_m
     p["heading_tolerance"] = radians(turn_used_deg(target, vehicle))
-    p["dock_turns"], p["nose"] = target.turns, ends_of(vehicle)[0]
+    p["dock_turns"], p["nose"] = target.turns, vehicle.ends_m[0]
     p["dock_half"], p["dock_radius"] = 0.5 * target.dock_width_m, target.dock_radius_m
     if target.dock:
         dock = target.dock

@@ -13,13 +13,27 @@ import numpy as np
 from bumpless.config.mission import Mission
 from bumpless.config.parameters import Parameters, default_parameters, with_overrides
 from bumpless.config.vehicle import Vehicle
-from bumpless.contract.enums import ABORTED, COMPLETED, FORWARD, HOVER, IDLE, PAUSED, RUNNING, WARNING
+from bumpless.contract.enums import (
+    ABORTED,
+    APPROACH,
+    BACK,
+    COMPLETED,
+    CREEP,
+    FAILSAFE,
+    FORWARD,
+    HOVER,
+    IDLE,
+    PAUSED,
+    RUNNING,
+    WARNING,
+)
 from bumpless.control.allocation.qp import make_handle
 from bumpless.control.onboard import ONBOARD
 from bumpless.control.reset import reset_state
 from bumpless.physics.model import build_model, fill_flow
 from bumpless.physics.plant import observe_plant
 from bumpless.physics.sensors import N_NOISE
+from bumpless.sim.condition import Condition, condition_of
 from bumpless.sim.cycle import fly
 from bumpless.sim.events import EventWriter, TwinEvent, completed_event, eventful, row_events
 from bumpless.sim.log import LOG
@@ -139,6 +153,30 @@ class Twin:
         self._hold(PAUSED)
         self._paused_at = int(self._state["clock"]["cycle"])
         self.events.add("mission_paused", "Mission paused; holding station.", {})
+
+    def surface(self) -> None:
+        """Brake, and hold station at the surface until told otherwise; also after a mission."""
+        if self.phase != PAUSED:
+            self._paused_at = int(self._state["clock"]["cycle"])
+            self._hold(PAUSED)
+        self._orders["hold_point"][2] = 0.0
+        self.events.add("surfacing", "Holding station at the surface.", {}, WARNING)
+
+    def wave_off(self) -> bool:
+        """Back off along the approach line and hold there for good; False where no approach is flown."""
+        docking, settings = self._state["docking"], self._settings["docking"]
+        if not self.parameters.docking.enabled or docking["stage"] not in (APPROACH, BACK, CREEP):
+            return False
+        docking["stage"], docking["stage_cycle"] = BACK, self._state["clock"]["cycle"]
+        docking["gate_cycles"] = docking["cleared"] = 0
+        docking["reason"], docking["back_to"] = FAILSAFE, settings["hold_distance"]
+        docking["tried"] = settings["tries"]  # no further one
+        return True
+
+    @property
+    def condition(self) -> Condition:
+        """What the vehicle reports of its body."""
+        return condition_of(self.mission, float(self._state["clock"]["time"]))
 
     def _hold(self, phase: int) -> None:
         """Brake in `phase`, and hold station where the vehicle can stop."""

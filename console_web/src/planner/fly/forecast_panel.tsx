@@ -135,6 +135,13 @@ function Facts({ forecast }: { forecast: Forecast }) {
       `${fixed(100 * Math.min(...margin), 0)} %`,
       "Share of the attainable forces that the demand leaves",
     ]);
+  const clearance = nominal.least_clearance_m;
+  if (clearance !== null && clearance !== undefined)
+    facts.push([
+      "Clearance",
+      `${fixed(clearance, 1)} m`,
+      "Least, from the hull down to the sea floor, as flown",
+    ]);
   return (
     <dl class="facts forecast-facts">
       {facts.map(([name, value, about]) => (

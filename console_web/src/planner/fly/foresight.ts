@@ -18,6 +18,7 @@ export type Mend = Schemas["ForesightMend"];
 export type Nominal = Schemas["ForesightNominal"];
 export type Flight = Schemas["ForesightFlight"];
 export type Chance = Schemas["ForesightChance"];
+export type SeaFloor = Schemas["ForesightFloor"];
 export type TextProblem = Schemas["ForesightProblem"];
 export type Overrides = Schemas["Overrides"];
 type Message = Schemas["ForesightMessage"];
@@ -28,6 +29,8 @@ export interface Forecast {
   text: string;
   problems: TextProblem[];
   findings: Finding[] | undefined;
+  /** The sea floor along the plan; undefined: the mission names none. */
+  floor: SeaFloor | undefined;
   nominal: Nominal | undefined;
   flights: Flight[];
   chance: Chance | undefined;
@@ -54,6 +57,7 @@ function fresh(text: string): Forecast {
     text,
     problems: [],
     findings: undefined,
+    floor: undefined,
     nominal: undefined,
     flights: [],
     chance: undefined,
@@ -69,7 +73,7 @@ export function told(before: Forecast, message: Message): Forecast {
     case "problems":
       return { ...before, problems: message.problems, findings: [], state: "done" };
     case "findings":
-      return { ...before, findings: message.findings };
+      return { ...before, findings: message.findings, floor: message.floor ?? undefined };
     case "nominal":
       return { ...before, nominal: message };
     case "fan":

@@ -5,6 +5,7 @@ import type { Ned } from "../model/geometry";
 import { dockEdits, moveEdits } from "../model/operations";
 import { pathOf } from "../model/paths";
 import { edit, mission } from "../model/plan";
+import { EVENT_PATHS, EVENTS } from "../model/things";
 import type { Mend } from "./foresight";
 
 function place(value: Mend["value"]): Ned | undefined {
@@ -37,5 +38,14 @@ export function thingOf(path: string): string | undefined {
   if (leg !== undefined) return `leg:${leg}`;
   if (path.startsWith("target")) return "dock";
   if (path.startsWith("start")) return "start";
+  for (const kind of EVENTS) {
+    const [first = "", second] = EVENT_PATHS[kind].map(String);
+    const list = second ? `${first}.${second}` : first;
+    if (path.startsWith(`${list}[`)) return `${kind}:${Number.parseInt(path.slice(list.length + 1), 10)}`;
+  }
+  const zone = /^keep_out\[(\d+)\]/.exec(path)?.[1];
+  if (zone !== undefined) return `zone:${zone}`;
+  if (path.startsWith("keep_in")) return "fence";
+  if (path.startsWith("environment.wave")) return "wave";
   return path.startsWith("environment") ? "current" : undefined;
 }

@@ -1,6 +1,11 @@
 // A variant of the plan beside it: another current, other numbers of the controller, another vehicle.
-import { computed, effect, signal } from "@preact/signals";
-import { mission, text } from "../model/plan";
+import { batch, computed, effect, signal } from "@preact/signals";
+import { type Edit, edited } from "../model/document";
+import type { Ned } from "../model/geometry";
+import type { MissionView, PlanEvent } from "../model/mission";
+import { setCurrent } from "../model/operations";
+import { broken, edit, mission, text } from "../model/plan";
+import { EVENT_PATHS } from "../model/things";
 import { FLIGHTS, type Forecast, Foresight, type Overrides } from "./foresight";
 
 export interface Change {
@@ -14,6 +19,8 @@ export const line = new Foresight();
 export const current = signal<readonly [number, number, number] | undefined>(undefined);
 export const vehicle = signal("");
 export const changes = signal<readonly Change[]>([]);
+/** An actuator that fails in the variant; undefined: none but the plan's. */
+export const failed = signal<PlanEvent | undefined>(undefined);
 export const forecast = computed(() => line.shown.value);
 
 export const overrides = computed<Overrides | undefined>(() => {
@@ -25,13 +32,46 @@ export const overrides = computed<Overrides | undefined>(() => {
   return { parameters, current: current.value ? [...current.value] : null, vehicle: other };
 });
 
+/** Whether anything of the variant differs from the plan. */
+export const varied = computed(() => overrides.value !== undefined || failed.value !== undefined);
+
+function faultEdits(view: MissionView): Edit[] {
+  const fault = failed.value;
+  if (!fault) return [];
+  const value = { actuator: fault.of, at_s: fault.from, effectiveness: fault.left };
+  return [{ path: [...EVENT_PATHS.fault, view.events.fault.length], value }];
+}
+
+/** The plan's text with what the server's overrides have no word for. */
+const variantText = computed(() => {
+  const edits = faultEdits(mission.value);
+  return edits.length > 0 && !broken.value ? edited(text.value, edits) : text.value;
+});
+
+/** Make the variant the plan: one step, taken back as one. */
+export function adopt(): void {
+  const view = mission.peek();
+  const edits: Edit[] = [...faultEdits(view)];
+  if (current.peek()) edits.push(...setCurrent(view, current.peek() as Ned));
+  if (overrides.peek()?.vehicle) edits.push({ path: ["vehicle"], value: vehicle.peek() });
+  for (const { path, value } of changes.peek())
+    if (value !== undefined) edits.push({ path: ["parameters", ...path.split(".")], value });
+  edit("Take the variant", edits);
+  batch(() => {
+    current.value = undefined;
+    failed.value = undefined;
+    vehicle.value = "";
+    changes.value = [];
+  });
+}
+
 /** Fly the variant with each change of it or of the plan, while it is looked at. */
 export function follow(): () => void {
   line.open();
   const stop = effect(() => {
     const wanted = overrides.value;
-    const plan = text.value;
-    if (wanted) line.ask({ text: plan, flights: FLIGHTS, overrides: wanted });
+    const plan = variantText.value;
+    if (varied.value) line.ask({ text: plan, flights: FLIGHTS, ...(wanted ? { overrides: wanted } : {}) });
     else line.clear();
   });
   return () => {

@@ -7,13 +7,14 @@ import "../../ui/table.css";
 import { endingNamed } from "../../ui/endings";
 import { fields, rangeOf, refusal } from "../forms/fields";
 import { NumberInput } from "../forms/number_input";
-import { vehicles } from "../map/figures";
+import { vehicle as planned, vehicles } from "../map/figures";
 import { short } from "../model/document";
 import { along, bearing } from "../model/geometry";
+import type { PlanEvent } from "../model/mission";
 import { mission } from "../model/plan";
 import { plan } from "./forecast";
 import type { Forecast } from "./foresight";
-import { changes, current, FIGURES, follow, forecast, overrides, vehicle } from "./what_if";
+import { adopt, changes, current, FIGURES, failed, follow, forecast, varied, vehicle } from "./what_if";
 
 const PREFIX = "parameters.";
 
@@ -39,12 +40,23 @@ export function WhatIf() {
           ))}
         </select>
       </label>
+      <Failed />
       {changes.value.map((change, i) => (
         <Changed key={change.path} index={i} />
       ))}
       <Add />
-      {overrides.value ? (
-        <Comparison />
+      {varied.value ? (
+        <>
+          <Comparison />
+          <button
+            type="button"
+            class="action small"
+            title="Write these changes into the plan; undo takes them back"
+            onClick={adopt}
+          >
+            Make it the plan
+          </button>
+        </>
       ) : (
         <p class="hint">Change something above: both are flown, 200 times each.</p>
       )}
@@ -63,8 +75,6 @@ function Current() {
       number,
     ];
   };
-  const most = (low: number, high: number) => (value: number) =>
-    value < low || value > high ? `must be from ${low} to ${high}` : "";
   return (
     <div class="field-block">
       <span class="field-label">
@@ -89,7 +99,7 @@ function Current() {
           unit="m/s"
           title="0 to 5 m/s"
           value={speed}
-          refuse={most(0, 5)}
+          refuse={within(0, 5)}
           onGive={(value) => value !== undefined && set(value, way)}
         />
         <NumberInput
@@ -98,12 +108,69 @@ function Current() {
           unit="deg"
           title="From north over east, the way it flows"
           value={way}
-          refuse={most(-360, 360)}
+          refuse={within(-360, 360)}
           onGive={(value) => value !== undefined && set(speed, value)}
         />
       </div>
     </div>
   );
+}
+
+/** An actuator that fails, when, and what is left of it. */
+function Failed() {
+  const known = planned.value?.actuators ?? [];
+  const fault = failed.value;
+  const change = (part: Partial<PlanEvent>): void => {
+    if (fault) failed.value = { ...fault, ...part };
+  };
+  return (
+    <div class="field-block">
+      <label class="field-row">
+        <span class="field-label">An actuator fails</span>
+        <select
+          aria-label="What if: actuator that fails"
+          value={fault?.of ?? ""}
+          onChange={(event) => {
+            const of = event.currentTarget.value;
+            failed.value = of ? { from: 0, left: 0, ...fault, of, to: undefined } : undefined;
+          }}
+        >
+          <option value="">none but the plan's</option>
+          {known.map((id) => (
+            <option key={id} value={id}>
+              {id}
+            </option>
+          ))}
+        </select>
+      </label>
+      {fault && (
+        <div class="field-cells">
+          <NumberInput
+            name="What if: when it fails"
+            label="at"
+            unit="s"
+            title="0 to 100000 s"
+            value={fault.from}
+            refuse={within(0, 1e5)}
+            onGive={(value) => value !== undefined && change({ from: value })}
+          />
+          <NumberInput
+            name="What if: force that is left"
+            label="left of its force"
+            unit="%"
+            title="0 to 100 %"
+            value={100 * fault.left}
+            refuse={within(0, 100)}
+            onGive={(value) => value !== undefined && change({ left: value / 100 })}
+          />
+        </div>
+      )}
+    </div>
+  );
+}
+
+function within(low: number, high: number): (value: number) => string {
+  return (value) => (value < low || value > high ? `must be from ${low} to ${high}` : "");
 }
 
 function Changed({ index }: { index: number }) {

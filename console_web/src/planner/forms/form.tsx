@@ -9,6 +9,13 @@ import { beginning, below, declared, type FieldEntry, fields, rangeOf, refusal }
 import { NumberInput } from "./number_input";
 import "./form.css";
 
+/** What is known of a text's words: lists that the planner holds. */
+const LISTS: Record<string, string> = {
+  vehicle: "plan-vehicles",
+  "faults[].actuator": "plan-actuators",
+  "sea_floor.grid": "plan-grids",
+};
+
 interface PartProps {
   path: Path;
   /** Keys that stand elsewhere. */
@@ -200,7 +207,7 @@ function TextField({ field, path }: { field: FieldEntry; path: Path }) {
     <input
       aria-label={`${field.label}, ${fieldOf(path)}`}
       title={field.help || field.form || undefined}
-      list={field.path === "vehicle" ? "plan-vehicles" : undefined}
+      list={LISTS[field.path]}
       value={typeof value === "string" ? value : value === undefined || value === null ? "" : String(value)}
       onInput={(event) => {
         const text = event.currentTarget.value;

@@ -1,11 +1,56 @@
 // The legs with length, time and depth rate: rows are selected and moved by keyboard as on the plan.
+import type { VNode } from "preact";
+import { useRef } from "preact/hooks";
 import { clock, fixed } from "../../lib/format";
 import "../../ui/table.css";
 import { onPlanKey, step } from "../keys";
-import { legFacts } from "../model/geometry";
+import { type LegFacts, legFacts } from "../model/geometry";
 import { mission, selected } from "../model/plan";
 
+/** Rows as they were drawn last, each with what it shows: of many legs a drag changes two. */
+type Kept = Map<number, { shows: string; row: VNode }>;
+
+function row(
+  kept: Kept,
+  i: number,
+  speed: number,
+  facts: LegFacts | undefined,
+  chosen: readonly string[],
+): VNode {
+  const thing = `leg:${i}`;
+  const on = chosen.includes(thing);
+  const cells = [
+    fixed(facts?.length, 1),
+    fixed(facts?.heading, 0),
+    fixed(speed, 2),
+    fixed(facts?.seconds, 0),
+    fixed(facts?.depthRate, 3),
+  ];
+  const shows = `${on} ${cells.join()}`;
+  const before = kept.get(i);
+  if (before?.shows === shows) return before.row;
+  const made = (
+    <tr
+      key={i}
+      aria-selected={on}
+      onClick={(event) => {
+        selected.value = event.ctrlKey || event.shiftKey ? [...selected.peek(), thing] : [thing];
+      }}
+    >
+      <th scope="row">{i + 1}</th>
+      {cells.map((cell, k) => (
+        <td key={k} class="num">
+          {cell}
+        </td>
+      ))}
+    </tr>
+  );
+  kept.set(i, { shows, row: made });
+  return made;
+}
+
 export function LegsTable() {
+  const kept = useRef<Kept>(new Map());
   const view = mission.value;
   const facts = legFacts(view.start.at, view.legs);
   const total = facts.at(-1)?.end ?? 0;
@@ -42,28 +87,7 @@ export function LegsTable() {
           </th>
         </tr>
       </thead>
-      <tbody>
-        {view.legs.map((leg, i) => {
-          const thing = `leg:${i}`;
-          const on = selected.value.includes(thing);
-          return (
-            <tr
-              key={i}
-              aria-selected={on}
-              onClick={(event) => {
-                selected.value = event.ctrlKey || event.shiftKey ? [...selected.peek(), thing] : [thing];
-              }}
-            >
-              <th scope="row">{i + 1}</th>
-              <td class="num">{fixed(facts[i]?.length, 1)}</td>
-              <td class="num">{fixed(facts[i]?.heading, 0)}</td>
-              <td class="num">{fixed(leg.speed, 2)}</td>
-              <td class="num">{fixed(facts[i]?.seconds, 0)}</td>
-              <td class="num">{fixed(facts[i]?.depthRate, 3)}</td>
-            </tr>
-          );
-        })}
-      </tbody>
+      <tbody>{view.legs.map((leg, i) => row(kept.current, i, leg.speed, facts[i], selected.value))}</tbody>
       <tfoot>
         <tr>
           <th scope="row">All</th>

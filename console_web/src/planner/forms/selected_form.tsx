@@ -1,13 +1,16 @@
 // The form of what is selected; of the mission as a whole when nothing is.
 
 import { fixed } from "../../lib/format";
-import { TrashIcon } from "../../ui/icons";
 import { short } from "../model/document";
 import { along, bearing, legFacts } from "../model/geometry";
-import { deleteSelected, dockEdits, setCurrent, splitLeg } from "../model/operations";
-import { edit, legOf, mission, selected } from "../model/plan";
+import { dockEdits, setCurrent, splitLeg } from "../model/operations";
+import { edit, mission, selected } from "../model/plan";
+import { eventOf, legOf, outlineAt } from "../model/things";
+import { EarthPlace } from "./earth_place";
 import { FormPart } from "./form";
 import { NumberInput } from "./number_input";
+import { Remove } from "./remove";
+import { EventForm, OutlineForm, WaveForm } from "./thing_forms";
 
 const ELSEWHERE = ["version", "name", "start", "legs", "target"];
 
@@ -18,6 +21,12 @@ export function SelectedForm() {
   if (thing === "start") return <StartForm />;
   if (thing === "dock" && mission.value.dock) return <DockForm />;
   if (thing === "current") return <CurrentForm />;
+  if (thing === "wave") return <WaveForm />;
+  const which = thing === undefined ? undefined : outlineAt(thing);
+  if (thing !== undefined && which !== undefined)
+    return <OutlineForm key={which} which={which} thing={thing} />;
+  const event = thing === undefined ? undefined : eventOf(thing);
+  if (event) return <EventForm key={thing} kind={event.kind} index={event.index} />;
   const leg = thing === undefined ? undefined : legOf(thing);
   if (leg !== undefined && mission.value.legs[leg]) return <LegForm key={leg} index={leg} />;
   return (
@@ -25,14 +34,6 @@ export function SelectedForm() {
       <h3 class="form-title">Mission</h3>
       <FormPart path={[]} without={ELSEWHERE} />
     </div>
-  );
-}
-
-function Remove({ what }: { what: string }) {
-  return (
-    <button type="button" class="action small" onClick={deleteSelected} title="Delete">
-      <TrashIcon /> Delete {what}
-    </button>
   );
 }
 
@@ -51,6 +52,7 @@ function StartForm() {
     <div class="form">
       <h3 class="form-title">Start</h3>
       <FormPart path={["start"]} />
+      <EarthPlace thing="start" />
     </div>
   );
 }
@@ -62,6 +64,7 @@ function LegForm({ index }: { index: number }) {
     <div class="form">
       <h3 class="form-title">Waypoint {index + 1}</h3>
       <FormPart path={["legs", index]} />
+      <EarthPlace thing={`leg:${index}`} />
       {facts && (
         <p class="hint num">
           {fixed(facts.length, 1)} m on {fixed(facts.heading, 0)}°, {fixed(facts.seconds, 0)} s
@@ -87,6 +90,7 @@ function DockForm() {
     <div class="form">
       <h3 class="form-title">Dock</h3>
       <FormPart path={["target"]} only={["position_ned_m"]} />
+      <EarthPlace thing="dock" />
       <div class="field-row">
         <span class="field-label">Heading to approach with, from north over east</span>
         <NumberInput

@@ -7,7 +7,7 @@ import { dockUp } from "./tools";
 import { fitted, panned, type Size, type Viewport } from "./viewport";
 
 export const size = signal<Size>({ width: 0, height: 0 });
-const MARGIN = 80; // px
+const MARGIN = 80; // px, less on a low picture
 const HEAD_PX = 44; // for the line that says what to do next
 const LEAST_M = 16;
 const ROOM_M = 40; // ahead of a vehicle without a way
@@ -19,6 +19,15 @@ export const viewport = computed<Viewport>(() => ({ ...unturned.value, turn: tur
 
 /** The next forecast shall be in view as a whole: a plan was opened, a dock placed, a finding mended. */
 export const fitSoon = signal(true);
+
+/** What the whole plan in view was like: kept whole when the picture's size changes. */
+let whole: Viewport | undefined;
+
+/** The picture has another size. */
+export function sized(next: Size): void {
+  size.value = next;
+  if (whole !== undefined && whole === unturned.peek()) showAll();
+}
 
 export function look(next: Viewport): void {
   unturned.value = next;
@@ -38,6 +47,7 @@ export function showAll(): void {
   const shown = [...points.map(([n, e]) => [e, n] as const), ...flown];
   const { width, height } = size.peek();
   const below = { width, height: height - HEAD_PX };
-  const whole = fitted(shown, below, MARGIN, viewport.peek().turn, [LEAST_M, LEAST_M]);
-  unturned.value = panned(whole, size.peek(), 0, HEAD_PX / 2);
+  const all = fitted(shown, below, Math.min(MARGIN, 0.13 * height), viewport.peek().turn, [LEAST_M, LEAST_M]);
+  whole = panned(all, size.peek(), 0, HEAD_PX / 2);
+  unturned.value = whole;
 }

@@ -3,8 +3,8 @@
 import type { Edit } from "../model/document";
 import { bearing, type Ned, shifted, snapped } from "../model/geometry";
 import type { MissionView } from "../model/mission";
-import { dockEdits, moveEdits, placeOf, setCurrent } from "../model/operations";
-import { DIAL, dialScale, type Grip } from "./grips";
+import { dockEdits, moveEdits, placeOf, setCurrent, waveEdits } from "../model/operations";
+import { DIAL, type Dial, dialScale, type Grip, WAVES, waveScale } from "./grips";
 import type { Viewport } from "./viewport";
 
 export interface Pull {
@@ -20,11 +20,13 @@ export interface Pull {
 
 const HEADING_STEP = 5;
 const CURRENT_STEP = 0.01;
+const WAVE_STEP = 0.05;
 
 export function pulled(view: MissionView, pull: Pull, v: Viewport): readonly Edit[] {
   switch (pull.grip.kind) {
     case "move":
     case "split":
+    case "side":
       return moveThings(view, pull);
     case "start-heading": {
       const value = heading(view.start.at, pull);
@@ -34,6 +36,8 @@ export function pulled(view: MissionView, pull: Pull, v: Viewport): readonly Edi
       return view.dock ? dockEdits(view, { heading: heading(view.dock.at, pull) }) : [];
     case "standoff":
       return standoff(view, pull);
+    case "wave":
+      return waveEdits(view, waveAt(pull.px, waveScale(view.wave?.height ?? 0), v, pull.fine));
     case "current":
       return setCurrent(view, currentAt(pull.px, dialScale(view.current), v, pull.fine));
   }
@@ -66,12 +70,34 @@ function standoff(view: MissionView, { to, fine }: Pull): Edit[] {
 
 /** The current that the dial shows with its arrow's tip at a pixel. */
 export function currentAt(px: readonly [number, number], scale: number, v: Viewport, fine: boolean): Ned {
-  const [a, b] = [px[0] - DIAL.x, DIAL.y - px[1]];
+  const { size, way } = dialAt(DIAL, px, v, fine);
+  const speed = snapped(size * scale, fine ? 0.001 : CURRENT_STEP);
+  if (speed === 0) return [0, 0, 0];
+  const rad = (way * Math.PI) / 180;
+  return [speed * Math.cos(rad), speed * Math.sin(rad), 0];
+}
+
+/** The waves that their dial shows with its arrow's tip at a pixel. */
+export function waveAt(
+  px: readonly [number, number],
+  scale: number,
+  v: Viewport,
+  fine: boolean,
+): { height: number; direction: number } {
+  const { size, way } = dialAt(WAVES, px, v, fine);
+  return { height: snapped(size * scale, fine ? 0.01 : WAVE_STEP), direction: way };
+}
+
+/** Length of a dial's arrow as a share of its radius, and its heading. */
+function dialAt(
+  { x, y, radius }: Dial,
+  px: readonly [number, number],
+  v: Viewport,
+  fine: boolean,
+): { size: number; way: number } {
+  const [a, b] = [px[0] - x, y - px[1]];
   const long = Math.hypot(a, b);
-  // Near the rim the arrow reaches on, so that a stronger current can be drawn than the dial is wide.
-  const speed = snapped((Math.min(long, 2 * DIAL.radius) / DIAL.radius) * scale, fine ? 0.001 : CURRENT_STEP);
-  if (speed === 0 || long < 4) return [0, 0, 0];
-  const step = fine ? 1 : HEADING_STEP;
-  const way = (snapped((Math.atan2(a, b) + v.turn) * (180 / Math.PI), step) * Math.PI) / 180;
-  return [speed * Math.cos(way), speed * Math.sin(way), 0];
+  // Near the rim the arrow reaches on, so that more can be drawn than the dial is wide.
+  const size = long < 4 ? 0 : Math.min(long, 2 * radius) / radius;
+  return { size, way: snapped((Math.atan2(a, b) + v.turn) * (180 / Math.PI), fine ? 1 : HEADING_STEP) };
 }

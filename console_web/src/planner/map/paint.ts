@@ -1,17 +1,21 @@
 // The plan from above, drawn on a canvas: quick at any number of legs, without a graphics card.
 import { colour } from "../../lib/theme";
-import { paintDial } from "./paint/dial";
+import { paintCharts } from "../charts/paint";
+import { paintDial, paintWaves } from "./paint/dial";
 import { paintDock } from "./paint/dock";
 import { paintFan, paintTrack } from "./paint/forecast";
 import { paintGrid, paintScale } from "./paint/grid";
 import { paintBox, paintMeasure } from "./paint/hand";
+import { paintDrawn, paintOutlines } from "./paint/outlines";
 import type { Ctx, Scene } from "./paint/scene";
 import { paintLine } from "./paint/strokes";
 import { paintStart, paintVehicle, paintWay, paintWaypoints } from "./paint/way";
 import { paintDockZones } from "./paint/zones";
 
 export function paintPlan(c: Ctx, s: Scene): void {
+  paintCharts(c, s);
   paintGrid(c, s);
+  paintOutlines(c, s);
   if (s.view.dock) paintDockZones(c, s, s.view.dock);
   paintFan(c, s);
   paintWay(c, s);
@@ -27,7 +31,9 @@ export function paintPlan(c: Ctx, s: Scene): void {
   paintWaypoints(c, s);
   if (s.vehicle) paintVehicle(c, s, s.vehicle);
   paintMeasure(c, s);
+  paintDrawn(c, s);
   paintBox(c, s);
   paintDial(c, s);
+  if (s.view.wave || s.waving) paintWaves(c, s);
   paintScale(c, s);
 }

@@ -2,21 +2,25 @@
 import { untracked, useSignalEffect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { fixed } from "../../lib/format";
-import { flying } from "../../stream/link";
-import { live } from "../../stream/store";
+import { theme } from "../../lib/theme";
+import { drawn as charts } from "../charts/charts";
 import { plan } from "../fly/forecast";
 import { forecast as variant } from "../fly/what_if";
 import { onPlanKey } from "../keys";
-import { badge, name } from "../model/library";
+import { earthWords, originOf, toEarth } from "../model/earth";
+import { name } from "../model/library";
 import { dragging, mission, selected } from "../model/plan";
 import { NextStep } from "../next_step";
-import { fitSoon, look, showAll, size, viewport } from "./camera";
+import { fitSoon, look, showAll, size, sized, viewport } from "./camera";
 import { figures } from "./figures";
+import { flownHere } from "./flown_here";
+import { LazySpace, spaceShown, toggleSpace } from "./lazy_space";
 import { box, cursorAt, gestures, hovered } from "./map_gestures";
+import { drawn } from "./outline";
 import { paintPlan } from "./paint";
 import type { Scene } from "./paint/scene";
 import { Surface } from "./surface";
-import { dockUp, grid, measured, TOOLS, tool } from "./tools";
+import { dockUp, grid, measured, outlining, TOOLS, tool } from "./tools";
 import { type Size, zoomed } from "./viewport";
 import "./plan_map.css";
 
@@ -38,21 +42,17 @@ function scene(extent: Size): Scene {
     vehicle: flownHere(),
     box: box.value,
     measured: measured.value,
-    cursor: tool.value === "measure" ? cursorAt.value : undefined,
+    charts: charts.value,
+    theme: theme.value,
+    drawn: drawn.value,
+    waving: tool.value === "wave",
+    cursor: tool.value === "measure" || drawn.value.length > 0 ? cursorAt.value : undefined,
   };
 }
 
-/** The vehicle, while it flies the plan that is shown. */
-function flownHere(): Scene["vehicle"] {
-  if (!flying.value || badge.value !== "held" || !live.isFresh("tlm/navigation")) return undefined;
-  const navigation = live.latest("tlm/navigation");
-  if (!navigation?.positionNedM) return undefined;
-  const { x, y } = navigation.positionNedM;
-  return { north: x, east: y, heading: navigation.attitude?.yawDeg ?? 0 };
-}
-
 function cursor(): string {
-  if (hovered.value && tool.value !== "measure") return hovered.value.kind === "split" ? "copy" : "grab";
+  if (hovered.value && tool.value !== "measure" && !outlining.value)
+    return ["split", "side"].includes(hovered.value.kind) ? "copy" : "grab";
   return tool.value === "select" ? "default" : "crosshair";
 }
 
@@ -75,26 +75,27 @@ export function PlanMap() {
   return (
     <section class="panel plan-map" aria-label="Plan from above">
       <MapTools />
-      <div class="plan-water">
-        <Surface
-          name="Plan from above"
-          scene={scene}
-          paint={paintPlan}
-          gestures={gestures}
-          onKey={onPlanKey}
-          onSize={(next) => {
-            size.value = next;
-          }}
-          cursor={cursor()}
-          describedBy="plan-keys"
-          frame={[v.x, v.y, v.sx, v.turn].map((number) => number.toFixed(5)).join(" ")}
-        />
-        <NextStep />
-        <Readout />
-        <p id="plan-keys" class="sr">
-          N and P select the next and previous thing, arrows move it, Page up and down change its depth, W
-          adds a waypoint after it, Delete removes it, question mark lists all keys.
-        </p>
+      <div class="plan-waters">
+        <div class="plan-water">
+          <Surface
+            name="Plan from above"
+            scene={scene}
+            paint={paintPlan}
+            gestures={gestures}
+            onKey={onPlanKey}
+            onSize={sized}
+            cursor={cursor()}
+            describedBy="plan-keys"
+            frame={[v.x, v.y, v.sx, v.turn].map((number) => number.toFixed(5)).join(" ")}
+          />
+          <NextStep />
+          <Readout />
+          <p id="plan-keys" class="sr">
+            N and P select the next and previous thing, arrows move it, Page up and down change its depth, W
+            adds a waypoint after it, Delete removes it, question mark lists all keys.
+          </p>
+        </div>
+        <LazySpace />
       </div>
     </section>
   );
@@ -145,6 +146,15 @@ function MapTools() {
       <button
         type="button"
         class="action small"
+        aria-pressed={spaceShown.value}
+        title="The plan in space, beside the plan from above"
+        onClick={toggleSpace}
+      >
+        3-D
+      </button>
+      <button
+        type="button"
+        class="action small"
         aria-pressed={dockUp.value}
         disabled={!mission.value.dock}
         title="Turn the picture so that the approach points up"
@@ -171,9 +181,10 @@ function MapTools() {
 function Readout() {
   const at = cursorAt.value;
   if (!at) return null;
+  const origin = originOf(mission.value.raw);
   return (
     <output class="readout num" aria-label="Pointer">
-      N {fixed(at[0], 1)} E {fixed(at[1], 1)} m
+      {origin && `${earthWords(toEarth(origin, at[0], at[1]))}  `}N {fixed(at[0], 1)} E {fixed(at[1], 1)} m
     </output>
   );
 }

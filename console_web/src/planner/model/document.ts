@@ -108,7 +108,9 @@ export function put(doc: Document, path: Path, value: unknown): void {
     present.value = value;
     return;
   }
-  doc.setIn(path, styled(doc, value));
+  const node = styled(doc, value);
+  if (typeof path.at(-1) === "number" && isMap(node)) node.flow = true; // an entry of a list
+  doc.setIn(path, node);
 }
 
 /** A value as people write it: rows and entries of lists on one line. */

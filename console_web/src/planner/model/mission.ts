@@ -1,5 +1,6 @@
 // What views need of a mission, read leniently: half-written text must not blank the screen.
 import { bearing, type Ned, turn, wrapped } from "./geometry";
+import type { EventKind } from "./things";
 
 /** Slower water has no direction worth turning into. */
 const STILL_MPS = 0.01;
@@ -28,10 +29,30 @@ export function approachOf(dock: Dock, current: Ned): number {
   return wrapped(dock.heading + Math.max(-free, Math.min(free, off)));
 }
 
-export interface Fault {
-  actuator: string;
-  at: number;
-  effectiveness: number;
+/** A place in the plane. */
+export type Point = readonly [north: number, east: number];
+export type Outline = readonly Point[];
+export interface Zone {
+  name: string;
+  corners: Outline;
+  from: number;
+  /** Undefined: down to the bottom. */
+  to: number | undefined;
+}
+export interface Wave {
+  height: number;
+  period: number;
+  /** Heading towards which it travels. */
+  direction: number;
+}
+/** A time in which something fails; `to` undefined: from then on. */
+export interface PlanEvent {
+  from: number;
+  to: number | undefined;
+  /** The actuator of a fault. */
+  of: string;
+  /** What is left of it, 0 to 1. */
+  left: number;
 }
 export interface MissionView {
   name: string;
@@ -44,7 +65,12 @@ export interface MissionView {
   legs: Leg[];
   dock: Dock | undefined;
   current: Ned;
-  faults: Fault[];
+  wave: Wave | undefined;
+  /** Depth of the bottom; 0: none given. */
+  waterDepth: number;
+  keepOut: Zone[];
+  keepIn: Outline | undefined;
+  events: Record<EventKind, PlanEvent[]>;
   /** As written: overrides of parameters, and the whole for forms. */
   parameters: unknown;
   raw: unknown;
@@ -71,6 +97,38 @@ function place(value: unknown): Ned | undefined {
   return [n as number, e as number, d as number];
 }
 
+function list(value: unknown): Table[] {
+  return (Array.isArray(value) ? (value as unknown[]) : []).map(table);
+}
+
+function outlineOf(value: unknown): Outline {
+  return list(value).map((corner) => [number(corner.north_m, 0), number(corner.east_m, 0)] as const);
+}
+
+function zoneOf(zone: Table): Zone {
+  const to = zone.to_depth_m;
+  return {
+    name: text(zone.name),
+    corners: outlineOf(zone.corners),
+    from: number(zone.from_depth_m, 0),
+    to: typeof to === "number" ? to : undefined,
+  };
+}
+
+function waveOf(value: unknown): Wave | undefined {
+  if (value === undefined || value === null) return undefined;
+  const wave = table(value);
+  return {
+    height: number(wave.height_m, 0),
+    period: number(wave.period_s, 0),
+    direction: number(wave.direction_deg, 0),
+  };
+}
+
+function outageOf(outage: Table): PlanEvent {
+  return { from: number(outage.from_s, 0), to: number(outage.to_s, 0), of: "", left: 0 };
+}
+
 export function missionView(raw: unknown): MissionView {
   const top = table(raw);
   const start = table(top.start);
@@ -81,6 +139,7 @@ export function missionView(raw: unknown): MissionView {
     legs.push({ at: place(leg.to_ned_m) ?? legs.at(-1)?.at ?? from, speed: number(leg.speed_mps, 0) });
   }
   const target = table(top.target);
+  const environment = table(top.environment);
   const at = place(target.position_ned_m);
   return {
     name: text(top.name),
@@ -97,15 +156,22 @@ export function missionView(raw: unknown): MissionView {
       tolerance: number(target.heading_tolerance_deg, 0),
       intoCurrent: target.approach === "into_current",
     },
-    current: place(table(top.environment).current_ned_mps) ?? [0, 0, 0],
-    faults: (Array.isArray(top.faults) ? top.faults : []).map((entry) => {
-      const fault = table(entry);
-      return {
-        actuator: text(fault.actuator),
-        at: number(fault.at_s, 0),
-        effectiveness: number(fault.effectiveness, 1),
-      };
-    }),
+    current: place(environment.current_ned_mps) ?? [0, 0, 0],
+    wave: waveOf(environment.wave),
+    waterDepth: number(environment.water_depth_m, 0),
+    keepOut: list(top.keep_out).map(zoneOf),
+    keepIn:
+      top.keep_in === undefined || top.keep_in === null ? undefined : outlineOf(table(top.keep_in).corners),
+    events: {
+      fault: list(top.faults).map((fault) => ({
+        from: number(fault.at_s, 0),
+        to: undefined,
+        of: text(fault.actuator),
+        left: number(fault.effectiveness, 1),
+      })),
+      outage: list(table(top.sensors).outages).map(outageOf),
+      dvl: list(table(top.sensors).dvl_outages).map(outageOf),
+    },
     parameters: top.parameters,
     raw,
   };

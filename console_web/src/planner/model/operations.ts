@@ -1,14 +1,18 @@
 // What can be done to a plan beyond setting a value, as edits of its document.
 import { type Document, isMap, isSeq, type YAMLSeq } from "yaml";
 import { type Edit, put, short, styled } from "./document";
+import { removeEvents } from "./events";
 import { bearing, distance, type Ned, observationPoint, rotated, shifted, wrapped } from "./geometry";
 import type { Leg, MissionView } from "./mission";
 import type { Path } from "./paths";
-import { edit, legOf, mission, reshape, selected, type Thing } from "./plan";
+import { edit, mission, reshape, selected } from "./plan";
+import { cornersOf, cornerThing, legOf, outlineAt, outlines, type Thing } from "./things";
+import { outlineEdits, outlinePlace, removeOutlines } from "./zones";
 
 const CRUISE_MPS = 0.7;
 const STANDOFF_M = 1.5;
 const DEPTH_M = 2;
+const WAVE_PERIOD_S = 6;
 /** The last leg leads to the observation point when it ends within this of it. */
 const JOINED_M = 0.06;
 
@@ -35,7 +39,7 @@ export function placeOf(view: MissionView, thing: Thing): Ned | undefined {
   if (thing === "start") return view.start.at;
   if (thing === "dock") return view.dock?.at;
   const leg = legOf(thing);
-  return leg === undefined ? undefined : view.legs[leg]?.at;
+  return leg === undefined ? outlinePlace(view, thing) : view.legs[leg]?.at;
 }
 
 /** Edits that put things at their new places; the observation point follows its dock. */
@@ -43,6 +47,7 @@ export function moveEdits(view: MissionView, places: ReadonlyMap<Thing, Ned>): E
   const edits: Edit[] = [];
   for (const [thing, to] of places) {
     const leg = legOf(thing);
+    if (outlineAt(thing) !== undefined) edits.push(...outlineEdits(view, thing, to));
     const path =
       thing === "start" ? START : thing === "dock" ? DOCK : leg === undefined ? undefined : LEG(leg);
     if (path) edits.push(...at(path, deepEnough(to), placeOf(view, thing)));
@@ -87,6 +92,19 @@ export function setCurrent(view: MissionView, to: Ned): Edit[] {
   const environment = (view.raw as { environment?: { current_ned_mps?: unknown } } | undefined)?.environment;
   const stands = Array.isArray(environment?.current_ned_mps);
   return stands ? at(["environment", "current_ned_mps"], to) : currentEdits(to);
+}
+
+/** Edits that change the waves; where none are, they begin with this period. */
+export function waveEdits(view: MissionView, change: { height?: number; direction?: number }): Edit[] {
+  const height = short(Math.max(0, change.height ?? view.wave?.height ?? 0), 2);
+  const direction = short(wrapped(change.direction ?? view.wave?.direction ?? 0), 1);
+  const path = ["environment", "wave"];
+  if (!view.wave)
+    return [{ path, value: { height_m: height, period_s: WAVE_PERIOD_S, direction_deg: direction } }];
+  const edits: Edit[] = [];
+  if (change.height !== undefined) edits.push({ path: [...path, "height_m"], value: height });
+  if (change.direction !== undefined) edits.push({ path: [...path, "direction_deg"], value: direction });
+  return edits;
 }
 
 function legsOf(doc: Document): YAMLSeq {
@@ -179,12 +197,16 @@ export function defaultDepth(view: MissionView): number {
 export function deleteSelected(): void {
   const things = selected.peek();
   const legs = things.map(legOf).filter((i): i is number => i !== undefined);
-  if (legs.length === 0 && !things.includes("current") && !things.includes("dock")) return;
+  if (things.length === 0 || things.every((thing) => thing === "start")) return;
+  const view = mission.peek();
   reshape(legs.length > 1 ? `Delete ${legs.length} waypoints` : "Delete", (doc) => {
     const seq = doc.get("legs");
     if (isSeq(seq)) seq.items = seq.items.filter((_, i) => !legs.includes(i));
     if (things.includes("current")) put(doc, ["environment", "current_ned_mps"], undefined);
+    if (things.includes("wave")) put(doc, ["environment", "wave"], undefined);
     if (things.includes("dock")) put(doc, ["target"], undefined);
+    removeOutlines(doc, view, things);
+    removeEvents(doc, things);
   });
   selected.value = [];
 }
@@ -236,6 +258,10 @@ function all(view: MissionView): Map<Thing, Ned> {
     places.set(`leg:${i}`, leg.at);
   });
   if (view.dock) places.set("dock", view.dock.at);
+  for (const which of outlines(view))
+    cornersOf(view, which)?.forEach(([n, e], i) => {
+      places.set(cornerThing(which, i), [n, e, 0]);
+    });
   return places;
 }
 

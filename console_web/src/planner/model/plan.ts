@@ -4,9 +4,7 @@ import type { Document } from "yaml";
 import { type Edit, edited, patched, read, restructured } from "./document";
 import { History } from "./history";
 import { type MissionView, missionView } from "./mission";
-
-/** Something that can be selected: "start", "leg:2", "dock", "current". */
-export type Thing = string;
+import { exists, type Thing } from "./things";
 
 interface State {
   text: string;
@@ -141,8 +139,7 @@ function restore(to: string | undefined): void {
   if (to === undefined) return;
   batch(() => {
     show(stateOf(to, state.peek()));
-    const count = mission.peek().legs.length;
-    selected.value = selected.peek().filter((id) => (legOf(id) ?? 0) < count);
+    selected.value = selected.peek().filter((thing) => exists(mission.peek(), thing));
   });
 }
 
@@ -154,9 +151,4 @@ export function undo(): void {
 export function redo(): void {
   letGo();
   restore(history.redo());
-}
-
-/** Index of a leg's thing. */
-export function legOf(thing: Thing): number | undefined {
-  return thing.startsWith("leg:") ? Number(thing.slice(4)) : undefined;
 }

@@ -1,6 +1,6 @@
 // Depth along the way: what is planned, what will be flown with its depth error, and which mode flies it.
 import { colour, font } from "../../lib/theme";
-import type { Flight, Nominal } from "../fly/foresight";
+import type { Flight, Nominal, SeaFloor } from "../fly/foresight";
 import { type Size, toPx, type Viewport } from "../map/viewport";
 import { flat, flown, niceStep } from "../model/geometry";
 import type { MissionView } from "../model/mission";
@@ -14,6 +14,7 @@ export interface ProfileScene {
   picked: Flight | undefined;
   stale: boolean;
   bottom: number;
+  floor: SeaFloor | undefined;
 }
 
 type Ctx = CanvasRenderingContext2D;
@@ -50,7 +51,8 @@ export function wayOf(north: readonly number[], east: readonly number[]): number
 
 export function paintProfile(c: Ctx, s: ProfileScene): void {
   paintGrid(c, s);
-  if (s.bottom > 0) paintBottom(c, s);
+  if (s.floor) paintFloor(c, s, s.floor);
+  else if (s.bottom > 0) paintBottom(c, s);
   paintPlanned(c, s);
   if (s.nominal) paintFlown(c, s, s.nominal);
   if (s.picked) paintPicked(c, s, s.picked);
@@ -111,6 +113,39 @@ function paintBottom(c: Ctx, s: ProfileScene): void {
   c.fillStyle = colour("--line-2");
   c.globalAlpha = 0.5;
   c.fillRect(0, y, s.size.width, Math.max(0, s.size.height - FOOT_PX - y));
+  c.globalAlpha = 1;
+}
+
+/** The sea floor along the planned way, and how near to it the mission lets the hull come. */
+function paintFloor(c: Ctx, s: ProfileScene, floor: SeaFloor): void {
+  const edge = s.size.height - FOOT_PX;
+  const known = floor.along_m.flatMap((along, i) => {
+    const depth = floor.floor_m[i];
+    return depth === null || depth === undefined ? [] : [[along, depth] as const];
+  });
+  const [first] = known;
+  const last = known.at(-1);
+  if (!first || !last) return;
+  const ground = known.map(([along, depth]) => at(s, along, depth));
+  c.globalAlpha = s.stale ? 0.3 : 1;
+  line(c, [[at(s, first[0], 0)[0], edge], ...ground, [at(s, last[0], 0)[0], edge]]);
+  c.fillStyle = colour("--line-2");
+  c.fill();
+  c.strokeStyle = colour("--ink-2");
+  c.lineWidth = 1.5;
+  line(c, ground);
+  c.stroke();
+  if (floor.wanted_m > 0) {
+    c.strokeStyle = colour("--alarm");
+    c.lineWidth = 1;
+    c.setLineDash([4, 4]);
+    line(
+      c,
+      known.map(([along, depth]) => at(s, along, depth - floor.wanted_m)),
+    );
+    c.stroke();
+    c.setLineDash([]);
+  }
   c.globalAlpha = 1;
 }
 

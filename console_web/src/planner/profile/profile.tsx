@@ -24,6 +24,14 @@ function bottom(): number {
   return typeof depth === "number" ? depth : 0;
 }
 
+/** So much of the floor that it stands below the way, not all of a deep sea. */
+function shown(ground: readonly (number | null)[]): number[] {
+  const known = ground.filter((depth) => depth !== null);
+  const view = mission.value;
+  const deepest = Math.max(1, ...knots(view).map(({ depth }) => depth));
+  return known.map((depth) => Math.min(depth, 3 * deepest + 5));
+}
+
 function viewportOf(extent: Size): Viewport {
   if (dragging.value && kept) return kept;
   const view = mission.value;
@@ -31,7 +39,9 @@ function viewportOf(extent: Size): Viewport {
   const track = plan.current.value ? plan.forecast.value?.nominal?.track : undefined;
   const way = track ? wayOf(track.north_m, track.east_m) : [];
   const longest = Math.max(8, ...points.map((p) => p.along), way.at(-1) ?? 0);
-  const deepest = Math.max(1, ...points.map((p) => p.depth), ...(track?.depth_m ?? [])) * 1.18;
+  const ground = (plan.current.value ? plan.forecast.value?.floor?.floor_m : undefined) ?? [];
+  const deepest =
+    Math.max(1, ...points.map((p) => p.depth), ...(track?.depth_m ?? []), ...shown(ground)) * 1.18;
   const [w, h] = [Math.max(40, extent.width - LEFT_PX - 16), Math.max(30, extent.height - FOOT_PX - 14)];
   const [sx, sy] = [w / longest, h / deepest];
   // Zero depth 14 px below the top, zero distance LEFT_PX from the left.
@@ -51,6 +61,7 @@ function scene(extent: Size): ProfileScene {
     picked: seed === undefined ? undefined : forecast?.flights.find((flight) => flight.seed === seed),
     stale: !plan.current.value || dragging.value,
     bottom: bottom(),
+    floor: forecast?.floor,
   };
 }
 
@@ -109,6 +120,7 @@ const gestures: Gestures = {
 };
 
 export function Profile() {
+  const v = viewportOf(size.value);
   return (
     <section class="panel profile" aria-label="Depth profile">
       <header class="panel-head">
@@ -129,6 +141,7 @@ export function Profile() {
           }}
           cursor="default"
           describedBy="plan-keys"
+          frame={[v.x, v.y, v.sx, v.sy].map((number) => number.toFixed(5)).join(" ")}
         />
       </div>
     </section>
@@ -140,10 +153,16 @@ function Legend() {
   if (!nominal) return <span class="hint">drag points up and down</span>;
   const { saturation, worst_actuator, depth_error_m } = nominal.track;
   const most = saturation.reduce((best, load, i) => (load > (saturation[best] ?? 0) ? i : best), 0);
+  const clearance = plan.forecast.value?.floor?.least_m;
   const error = Math.max(...depth_error_m.map(Math.abs));
   return (
     <span class="hint ellipsis">
       <i class="swatch band" /> depth error up to <span class="num">{fixed(error, 2)} m</span>
+      {clearance !== null && clearance !== undefined && (
+        <>
+          <i class="swatch floor" /> clearance <span class="num">{fixed(clearance, 1)} m</span>
+        </>
+      )}
       <i class="swatch load" /> most used {worst_actuator[most]}{" "}
       <span class="num">{fixed(100 * (saturation[most] ?? 0), 0)} %</span>
     </span>

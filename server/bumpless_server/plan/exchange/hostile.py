@@ -4,9 +4,7 @@ import io
 import zipfile
 from xml.etree.ElementTree import Element, ParseError
 
-from defusedxml import DefusedXmlException
-from defusedxml.ElementTree import fromstring
-
+from bumpless.contract.extras import imported
 from bumpless_server.plan.exchange.route import NotImportable
 
 LARGEST = 8_000_000  # bytes of one unpacked file
@@ -15,6 +13,10 @@ MOST_FILES = 1000
 
 def parsed(data: bytes) -> Element:
     """The root of an XML text. Raises NotImportable, also for a document type with its entities."""
+    imported("defusedxml", "console")
+    from defusedxml import DefusedXmlException
+    from defusedxml.ElementTree import fromstring
+
     if len(data) > LARGEST:
         raise NotImportable(f"is larger than {LARGEST} bytes")
     try:

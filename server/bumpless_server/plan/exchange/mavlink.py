@@ -7,7 +7,7 @@ from typing import Any
 from bumpless.config.mission.origin import Origin
 from bumpless.config.mission.zones import MOST_CORNERS
 from bumpless.config.text import BOM
-from bumpless_server.plan.exchange.commands import GLOBAL_FRAMES, PLACES, SPEED, name_of
+from bumpless_server.plan.exchange.commands import FENCES, GLOBAL_FRAMES, PLACES, RALLIES, SPEED, name_of
 from bumpless_server.plan.exchange.route import (
     NotImportable,
     Point,
@@ -46,6 +46,7 @@ def read_wpl(text: str) -> Route:
     route = Route(WPL, geographic=True)
     rows = [line.split() for line in text.removeprefix(BOM).splitlines()[1:] if line.strip()]
     speed: float | None = None
+    commands = set[int]()
     for i, row in enumerate(rows):
         what = f"row {i}"
         if len(row) < 12:
@@ -56,7 +57,11 @@ def read_wpl(text: str) -> Route:
             route.home = geographic(params[4], params[5], what)
             route.carried(f"{what}: home", "is the mission's origin")
             continue
+        commands.add(command)
         speed = _command(route, f"{what}: {name_of(command)}", command, frame, params, speed)
+    for kind, those in (("fence points", FENCES), ("rally points", RALLIES)):
+        if commands and commands <= set(those):
+            raise NotImportable(f"is a list of {kind} (QGC WPL), not of waypoints: it says nowhere to go")
     return route
 
 

@@ -33,7 +33,9 @@ def imported(data: bytes, file_name: str, vehicle: str, part: str | None = None)
     """
     route = read_route(data, file_name, part)
     if not route.points:
-        reasons = [f"{item.what}: {item.note}" for item in route.items[:3] if not item.carried]
+        left = [item for item in route.items if not item.carried]
+        steps = [item for item in left if ":" in item.what]  # "item 3: ..."; not what stands around them
+        reasons = [f"{item.what}: {item.note}" for item in (steps or left)[:3]]
         raise NotImportable("holds no place to go to" + (f" ({'; '.join(reasons)})" if reasons else ""))
     return Imported(route.kind, mission_text(route, file_name, vehicle), tuple(route.items), route.parts)
 

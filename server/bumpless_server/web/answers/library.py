@@ -32,6 +32,14 @@ class VersionText(Answer):
     yaml: str
 
 
+class Difference(Answer):
+    """What changed between two states of a mission."""
+
+    before: str  # id of a saved version
+    after: str  # of another; "": the file as it is
+    unified: str  # a unified diff; "" where nothing did
+
+
 class DraftAnswer(Answer):
     """Work in progress; its name may have no mission yet."""
 

@@ -3,6 +3,7 @@
 from typing import Literal
 
 from bumpless.config.vehicle import Vehicle
+from bumpless.config.vehicle.failsafe import WORDS, Reaction
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless_server.web.answers.contract import Answer, MissionStatus, model_of
 
@@ -52,9 +53,12 @@ class ActuatorAnswer(Answer):
 class FailsafeAnswer(Answer):
     """What the vehicle does by itself: shown before a start as "what happens when"."""
 
+    cause: str  # stable identifier, as the event's details name it
     when: str  # one sentence
-    reaction: Literal["none", "hold", "abort"]
-    after_s: float | None  # of the cause; None: it does nothing
+    reaction: Reaction
+    does: str  # the reaction in words
+    limit: float | None  # beyond which it acts; None where there is no number to it
+    unit: str
 
 
 class VehicleAnswer(Answer):
@@ -69,6 +73,7 @@ class VehicleAnswer(Answer):
     diameter_m: float
     actuators: list[ActuatorAnswer]  # one for each command, in the order of u
     failsafe: list[FailsafeAnswer]
+    depth_rating_m: float | None  # None: the file does not say
 
     @classmethod
     def of(cls, vehicle: Vehicle) -> "VehicleAnswer":
@@ -83,11 +88,16 @@ class VehicleAnswer(Answer):
             diameter_m=vehicle.hull.diameter_m,
             failsafe=[
                 FailsafeAnswer(
-                    when="The console is not heard during a mission.",
-                    reaction=vehicle.failsafe.heartbeat_lost if vehicle.failsafe.heartbeat_lost_s else "none",
-                    after_s=vehicle.failsafe.heartbeat_lost_s or None,
+                    cause=one.cause,
+                    when=one.when,
+                    reaction=one.reaction,
+                    does=WORDS[one.reaction],
+                    limit=one.limit,
+                    unit=one.unit,
                 )
+                for one in vehicle.failsafe.declared()
             ],
+            depth_rating_m=vehicle.depth_rating_m,
             actuators=[
                 ActuatorAnswer(
                     name=command.name,

@@ -5,13 +5,14 @@ from typing import Annotated
 from fastapi import APIRouter, Body, Response
 
 from bumpless.contract.messages import as_json
+from bumpless_server.alarms.limits import Limits
 from bumpless_server.web.answers.alarms import Alarm, AlarmsAnswer
 from bumpless_server.web.answers.refusal import REFUSALS
 from bumpless_server.web.errors import Refusal
+from bumpless_server.web.known import Asking
 from bumpless_server.web.routes import Served
 
 router = APIRouter(prefix="/api/alarms", responses=REFUSALS)
-By = Annotated[str, Body(max_length=80, embed=True)]
 LONGEST_S = 8 * 3600.0
 
 
@@ -25,10 +26,17 @@ def alarms(console: Served) -> AlarmsAnswer:
     return AlarmsAnswer(open=open_, history=over)
 
 
+@router.get("/limits")
+def limits(console: Served) -> Limits:
+    """How far the vehicle may be off before somebody is told: of its file, else the defaults."""
+    return console.alarms.limits
+
+
 @router.post("/{alarm}/acknowledge", status_code=204)
-def acknowledge(console: Served, alarm: str, by: By = "operator") -> Response:
-    """Somebody has seen it. One whose cause has gone is over with that."""
-    if not console.alarms.acknowledge(alarm, by):
+def acknowledge(console: Served, asking: Asking, alarm: str) -> Response:
+    """Who is in control has seen it. One whose cause has gone is over with that."""
+    console.lease.use(asking)
+    if not console.alarms.acknowledge(alarm, asking.shown):
         raise Refusal(404, f"there is no alarm {alarm!r}: it may be over")
     return Response(status_code=204)
 
@@ -36,11 +44,12 @@ def acknowledge(console: Served, alarm: str, by: By = "operator") -> Response:
 @router.post("/{alarm}/shelve", status_code=204)
 def shelve(
     console: Served,
+    asking: Asking,
     alarm: str,
     seconds: Annotated[float, Body(gt=0.0, le=LONGEST_S, embed=True)] = 600.0,
-    by: By = "operator",
 ) -> Response:
-    """Keep it out of the way for a time; it comes back by itself."""
-    if not console.alarms.shelve(alarm, seconds, by):
+    """Keep it out of the way for a time; it comes back by itself. For who is in control."""
+    console.lease.use(asking)
+    if not console.alarms.shelve(alarm, seconds, asking.shown):
         raise Refusal(404, f"there is no alarm {alarm!r}: it may be over")
     return Response(status_code=204)

@@ -1,15 +1,19 @@
 """Recorded runs beside each other."""
 
-from typing import Annotated
+from pathlib import Path
+from typing import Annotated, Literal
 
-from fastapi import APIRouter, Query
+from fastapi import APIRouter, Query, Response
 
+from bumpless.contract.extras import ExtraMissing
 from bumpless.review.compare import MOST, compare
 from bumpless.review.subject import Subject, subject_of
+from bumpless_server.scene.hull_picture import hull_picture
 from bumpless_server.web.answers.compare import ComparisonAnswer
 from bumpless_server.web.answers.refusal import REFUSALS
 from bumpless_server.web.errors import Refusal
 from bumpless_server.web.routes import Served
+from bumpless_server.web.routes.report import page_of
 
 router = APIRouter(prefix="/api/compare", responses=REFUSALS)
 
@@ -22,14 +26,38 @@ def compared(
     return ComparisonAnswer.of(run, compare([_subject(console, name) for name in run]))
 
 
+@router.get("/report.html", response_class=Response, responses={200: {"content": {"text/html": {}}}})
+def report(
+    console: Served,
+    run: Annotated[list[str], Query(min_length=2, max_length=MOST)],
+    align: Literal["start", "reverse", "hover", "end"] = "start",
+) -> Response:
+    """Two to six runs compared, as one HTML file that fetches nothing."""
+    from bumpless.review.compared_report import comparison_report
+
+    paths = [_path(console, name) for name in run]
+    try:
+        text = comparison_report(paths, align, hull_picture)
+    except ExtraMissing as error:
+        raise Refusal(501, str(error)) from error
+    except ValueError as error:
+        raise Refusal(422, f"they cannot be compared: {error}") from error
+    return page_of(text, "comparison.html")
+
+
 def _subject(console: Served, run: str) -> Subject:
+    path = _path(console, run)
+    try:
+        return subject_of(path)
+    except ValueError as error:
+        raise Refusal(422, f"run {run!r} {error}") from error
+
+
+def _path(console: Served, run: str) -> Path:
     recording = console.recorder.recording
     if recording is not None and recording.id == run:
         raise Refusal(409, f"run {run!r} is being recorded; it can be compared when it is over")
     path = console.catalogue.path(run)
     if path is None:
         raise Refusal(404, f"there is no run {run!r}")
-    try:
-        return subject_of(path)
-    except ValueError as error:
-        raise Refusal(422, f"run {run!r} {error}") from error
+    return path

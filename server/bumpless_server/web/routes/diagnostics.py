@@ -47,7 +47,7 @@ def diagnostics(console: Served) -> Diagnostics:
         left_out=[LeftOut(folder=f, name=n, reason=r) for f, n, r in console.left_out()],
         clock_offset_s=console.clock.offset_s,
         vehicle_session=console.speaker.session,
-        bus_notice=console.bus_notice,
+        bus_notice=console.bus.notice,
         audit_trouble=console.audit.trouble,
     )
 

@@ -18,7 +18,7 @@ _TEXT = {"requestBody": {"content": {"application/yaml": {"schema": {"type": "st
 async def check(console: Served, request: Request, file_name: str = "mission.yaml") -> CheckAnswer:
     """Check a mission's bytes without keeping them, as `bumpless validate --json` does."""
     data = await request.body()
-    told = await run_in_threadpool(checked, data, file_name[:200], console.vehicle())
+    told = await run_in_threadpool(checked, data, file_name[:200], console.vehicle(), console.charts.laid)
     return CheckAnswer.model_validate(told)
 
 
@@ -26,7 +26,9 @@ async def check(console: Served, request: Request, file_name: str = "mission.yam
 def findings(console: Served, name: str) -> CheckAnswer:
     """Check a stored mission."""
     file = console.library.get(name)
-    return CheckAnswer.model_validate(checked(file.data, file.path.name, console.vehicle()))
+    return CheckAnswer.model_validate(
+        checked(file.data, file.path.name, console.vehicle(), console.charts.laid)
+    )
 
 
 def refuse_hopeless(console: Served, file: MissionFile, despite: bool) -> None:

@@ -8,6 +8,7 @@ from bumpless_server.plan.missions import MissionFile
 from bumpless_server.plan.templates import templates
 from bumpless_server.web.answers.library import (
     BinnedAnswer,
+    Difference,
     DraftAnswer,
     TemplateAnswer,
     VersionAnswer,
@@ -93,6 +94,13 @@ def version(console: Served, name: str, version: str) -> VersionText:
     data = console.library.version(name, version)
     sha256 = next(one.sha256 for one in console.library.history(name) if one.id == version)
     return VersionText(id=version, sha256=sha256, yaml=data.decode("utf-8", errors="replace"))
+
+
+@router.get("/missions/{name}/difference")
+def difference(console: Served, name: str, before: str, after: str = "") -> Difference:
+    """What changed from one saved version to another, or to the mission as it is; line by line."""
+    unified = console.library.difference(name, before, after)
+    return Difference(before=before, after=after, unified=unified)
 
 
 @router.get("/missions/{name}/file", response_class=Response)

@@ -10,11 +10,15 @@ from bumpless_server.web.answers.contract import CommandReply
 from bumpless_server.web.answers.missions import MissionDetail, MissionSummary
 from bumpless_server.web.answers.refusal import REFUSALS
 from bumpless_server.web.errors import Refusal
+from bumpless_server.web.known import Asking
 from bumpless_server.web.routes import Served
 from bumpless_server.web.routes.commanding import Asked
 from bumpless_server.web.routes.findings import refuse_hopeless
 
 router = APIRouter(prefix="/api", responses=REFUSALS)
+
+
+RAW = {"requestBody": {"content": {"application/yaml": {"schema": {"type": "string"}}}, "required": True}}
 
 
 class Start(BaseModel):
@@ -55,7 +59,7 @@ def mission(console: Served, name: str) -> MissionDetail:
     return MissionDetail.of(file, console.library.marks.of(file.name))
 
 
-@router.post("/missions", status_code=201)
+@router.post("/missions", status_code=201, openapi_extra=RAW)
 async def upload(
     console: Served, request: Request, response: Response, name: str, replace: bool = False
 ) -> MissionDetail:
@@ -80,8 +84,10 @@ def _start_request(console: Served, wanted: Start) -> pb.StartMission:
 
 
 @router.post("/mission/start")
-async def start(console: Served, asked: Asked, wanted: Start = Body(...)) -> CommandReply:
-    """Fly a stored mission."""
+async def start(console: Served, asked: Asked, asking: Asking, wanted: Start = Body(...)) -> CommandReply:
+    """Fly a stored mission. Where people log in, the operator is who asks."""
+    if not asking.open:
+        wanted = wanted.model_copy(update={"operator": asking.shown})
     request = await run_in_threadpool(_start_request, console, wanted)
     details = {"mission": request.file_name, "seed": wanted.seed, "despite": wanted.despite_findings}
     return await asked.carry_out("start", request, author=wanted.operator, **details)

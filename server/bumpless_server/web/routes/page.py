@@ -3,10 +3,12 @@
 from pathlib import Path
 
 from fastapi import FastAPI
-from fastapi.responses import HTMLResponse, Response
+from fastapi.responses import FileResponse, HTMLResponse, Response
 
 from bumpless_server.web.compressed import Compressed
 
+LOGIN = "login.html"
+POLICY = "default-src 'self'; base-uri 'none'; form-action 'self'; object-src 'none'; frame-ancestors 'self'"
 PACKAGE = Path(__file__).parents[2]
 NOT_BUILT = """<!doctype html><html lang="en"><meta charset="utf-8"><title>Bumpless</title>
 <body style="font:16px/1.5 system-ui;max-width:40rem;margin:15vh auto;padding:0 1rem">
@@ -27,7 +29,7 @@ class Page(Compressed):
     def file_response(self, full_path, *args, **kwargs) -> Response:  # type: ignore[no-untyped-def]
         response = super().file_response(full_path, *args, **kwargs)
         hashed = Path(full_path).parent.name == "assets"
-        response.headers["content-security-policy"] = "default-src 'self'"
+        response.headers["content-security-policy"] = POLICY
         response.headers["cache-control"] = "public, max-age=31536000, immutable" if hashed else "no-cache"
         return response
 
@@ -35,6 +37,13 @@ class Page(Compressed):
 def mount(app: FastAPI) -> None:
     """Serve the page at /. Call last: it takes every path that is left."""
     folder = static_folder()
+    if folder is not None and (folder / LOGIN).is_file():
+
+        @app.get("/login", include_in_schema=False)
+        def login() -> FileResponse:
+            headers = {"content-security-policy": POLICY, "cache-control": "no-cache"}
+            return FileResponse(folder / LOGIN, headers=headers)
+
     if folder is not None:
         app.mount("/", Page(directory=folder, html=True), name="console")
         return

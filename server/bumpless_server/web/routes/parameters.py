@@ -1,7 +1,9 @@
 """What the vehicle is tuned with: read as confirmed by it, changed only through it; saved presets."""
 
 import json
+from datetime import UTC, datetime
 from typing import Any
+from urllib.parse import unquote
 
 from fastapi import APIRouter, Request, Response
 from fastapi.concurrency import run_in_threadpool
@@ -10,6 +12,7 @@ from pydantic import ValidationError
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.messages import as_json
 from bumpless_server.live import tuning
+from bumpless_server.live.tally import printable
 from bumpless_server.web.answers.contract import CommandReply
 from bumpless_server.web.answers.parameters import ParametersAnswer, Preset
 from bumpless_server.web.answers.refusal import REFUSALS
@@ -17,8 +20,13 @@ from bumpless_server.web.errors import Refusal
 from bumpless_server.web.routes import Served
 from bumpless_server.web.routes.commanding import Asked
 from bumpless_server.web.routes.missions import text_of
+from bumpless_server.what_if.revisions import Revision
 
 router = APIRouter(prefix="/api", responses=REFUSALS)
+_WHOLE = {"description": "A whole set of parameters, as GET /api/parameters tells the active ones"}
+_JSON = {"requestBody": {"content": {"application/json": {"schema": _WHOLE}}, "required": True}}
+
+MOST_REASON = 300  # characters
 
 
 async def _body(request: Request) -> Any:
@@ -45,15 +53,36 @@ def parameters(console: Served) -> ParametersAnswer:
     return ParametersAnswer.model_validate(answer)
 
 
-@router.put("/parameters")
+@router.put("/parameters", openapi_extra=_JSON)
 async def change(console: Served, asked: Asked, request: Request) -> CommandReply:
-    """Ask the vehicle to fly with these, all of them; `If-Match` refuses a change of an old revision."""
+    """Ask the vehicle to fly with these, all of them; `If-Match` refuses a change of an old revision.
+
+    `X-Reason` says why, percent-encoded.
+    """
     given = await _body(request)
     wanted = await run_in_threadpool(lambda: tuning.parse(given, console.vehicle()))
     status = console.state.latest("parameters")
     before = as_json(status.active) if isinstance(status, pb.ParametersStatus) else {}
     changes = tuning.changes(before, as_json(wanted))
-    return await asked.carry_out("set_parameters", wanted, changes=changes)
+    why = printable(unquote(request.headers.get("x-reason", "")))[:MOST_REASON]
+    reply = await asked.carry_out("set_parameters", wanted, changes=changes, why=why)
+    made = Revision(
+        revision=reply.revision,
+        session=console.speaker.session,
+        at=datetime.now(UTC),
+        author=asked.author,
+        reason=why,
+        changes=changes,
+        parameters=as_json(wanted),
+    )
+    await run_in_threadpool(console.revisions.add, made)
+    return reply
+
+
+@router.get("/parameters/revisions")
+def revisions(console: Served) -> list[Revision]:
+    """What was changed on this vehicle from here, newest first: by whom, why, what, and all that was set."""
+    return console.revisions.all()
 
 
 def _preset(kept: dict[str, Any] | None) -> Preset | None:
@@ -81,7 +110,7 @@ def preset(console: Served, name: str) -> Preset:
     return found
 
 
-@router.put("/presets/{name}")
+@router.put("/presets/{name}", openapi_extra=_JSON)
 async def save(console: Served, request: Request, name: str) -> Preset:
     """Keep or replace a preset: a whole set of parameters within the present vehicle's ranges."""
     given = await _body(request)

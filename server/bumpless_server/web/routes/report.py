@@ -3,14 +3,12 @@
 from fastapi import APIRouter, Response
 
 from bumpless.contract.extras import ExtraMissing
+from bumpless_server.scene.hull_picture import hull_picture
 from bumpless_server.web.answers.refusal import REFUSALS
 from bumpless_server.web.errors import Refusal
 from bumpless_server.web.routes import Served
 
 router = APIRouter(prefix="/api/runs", responses=REFUSALS)
-
-# it shows a log's own words: no script runs in it, whatever they are
-POLICY = "default-src 'none'; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'; sandbox"
 
 
 @router.get("/{run}/report.html", response_class=Response, responses={200: {"content": {"text/html": {}}}})
@@ -25,14 +23,21 @@ def report(console: Served, run: str) -> Response:
     from bumpless.review.report import report_of
 
     try:
-        text = report_of(path)
+        text = report_of(path, hull_picture)
     except ExtraMissing as error:
         raise Refusal(501, str(error)) from error
     except ValueError as error:
         raise Refusal(422, f"run {run!r} {error}") from error
+    return page_of(text, f"{run}.html")
+
+
+def page_of(text: str, name: str) -> Response:
+    """A report as an answer: it shows a log's own words, so no script runs in it but the one of ours."""
+    from bumpless.review.report import policy
+
     headers = {
-        "content-disposition": f'inline; filename="{run}.html"',
-        "content-security-policy": POLICY,
+        "content-disposition": f'inline; filename="{name}"',
+        "content-security-policy": f"{policy()}; sandbox allow-scripts",
         "cache-control": "no-store",
     }
     return Response(text, media_type="text/html; charset=utf-8", headers=headers)

@@ -1,9 +1,12 @@
 """Is the server well, what does it see, what happened lately, and which vehicle is it."""
 
-from fastapi import APIRouter
+from typing import Annotated
+
+from fastapi import APIRouter, Query
 
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.messages import as_json
+from bumpless_server.web.answers.reach import ReachAnswer
 from bumpless_server.web.answers.refusal import REFUSALS
 from bumpless_server.web.answers.status import Event, Health, Status, VehicleAnswer
 from bumpless_server.web.errors import Refusal
@@ -47,3 +50,16 @@ def vehicle(console: Served) -> VehicleAnswer:
     if described is None:
         raise Refusal(404, f"vehicle {console.state.vehicle_id} has not described itself yet")
     return VehicleAnswer.of(described)
+
+
+@router.get("/vehicle/reach")
+def vehicle_reach(
+    console: Served, surge_mps: Annotated[float, Query(ge=-10.0, le=10.0, allow_inf_nan=False)] = 0.0
+) -> ReachAnswer:
+    """What its actuators can do at a speed through the water: the attainable force and moment sets."""
+    from bumpless_server.foresight.reach import reach_at
+
+    described = console.vehicle()
+    if described is None:
+        raise Refusal(404, f"vehicle {console.state.vehicle_id} has not described itself yet")
+    return ReachAnswer.of(described.sha256, reach_at(described, surge_mps))

@@ -7,6 +7,7 @@ from typing import cast
 from fastapi import APIRouter, WebSocket, WebSocketDisconnect
 
 from bumpless_server.console import Console
+from bumpless_server.web.known import who_asks
 
 router = APIRouter()
 
@@ -14,7 +15,7 @@ router = APIRouter()
 @router.websocket("/api/stream")
 async def stream(websocket: WebSocket) -> None:
     """Send frames until the browser leaves; what it says is not listened to."""
-    console = cast(Console, websocket.app.state.console)
+    console, who = cast(Console, websocket.app.state.console), who_asks(websocket)
     await websocket.accept()
 
     async def listen() -> None:
@@ -25,9 +26,11 @@ async def stream(websocket: WebSocket) -> None:
         asyncio.create_task(console.stream.serve(websocket.send_bytes)),
         asyncio.create_task(listen()),
     }
+    console.lease.joined(who)
     try:
         await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
     finally:
+        console.lease.left(who)
         for task in tasks:
             task.cancel()
         for task in tasks:

@@ -8,14 +8,17 @@ depth is positive down. The same declarations give the published JSON Schema (`m
 import hashlib
 import math
 from dataclasses import field
+from functools import cached_property
 from typing import Annotated, Any, Literal
 
 from bumpless.config.capacity import MAX_FAULTS, MAX_WAYPOINTS
 from bumpless.config.declare import Choice, Entries, Number, Overrides, Part, Row, Switch, Text, model
 from bumpless.config.mission.dock import Dock, Motion
+from bumpless.config.mission.mishaps import MOST_MISHAPS, Mishap
 from bumpless.config.mission.notes import Vector3, direction, moment, position
 from bumpless.config.mission.origin import Origin
 from bumpless.config.mission.sea import Environment
+from bumpless.config.mission.sea_floor import SeaFloor
 from bumpless.config.mission.sensing import Sensors
 from bumpless.config.mission.trim import Trim
 from bumpless.config.mission.zones import MOST_ZONES, KeepIn, KeepOut
@@ -160,6 +163,9 @@ class Document:
     environment: Annotated[Environment, Part("Sea")] = Environment()
     sensors: Annotated[Sensors, Part("Sensors")] = Sensors()
     faults: Annotated[tuple[Fault, ...], Entries("Faults of actuators", most=MAX_FAULTS)] = ()
+    mishaps: Annotated[
+        tuple[Mishap, ...], Entries("Mishaps of the simulated vehicle", most=MOST_MISHAPS)
+    ] = ()
     parameters: Annotated[
         dict[str, Any], Overrides("Overrides of the vehicle's control parameters", of=Parameters)
     ] = field(default_factory=dict[str, Any])
@@ -177,6 +183,9 @@ class Document:
     origin: Annotated[
         Origin | None, Part("Where the local frame lies on the earth", help="For charts and other programs.")
     ] = None
+    sea_floor: Annotated[
+        SeaFloor | None, Part("Sea floor to keep clear of", help="The autopilot knows nothing of it.")
+    ] = None
 
 
 @model
@@ -185,13 +194,14 @@ class Mission(Document):
 
     source: str = ""  # name of the file
     text: str = field(default="", repr=False)  # the file, whole: its bytes as UTF-8, line ends and all
+    depth_grid: Any = field(default=None, repr=False, compare=False)  # a chart.DepthGrid, once it was found
 
     @property
     def sha256(self) -> str:
         """Hash of the file's bytes: the mission's identity."""
         return hashlib.sha256(self.text.encode()).hexdigest()
 
-    @property
+    @cached_property
     def path_ned_m(self) -> tuple[Vector3, ...]:
         """Waypoints, the start first."""
         return (self.start.position_ned_m, *(leg.to_ned_m for leg in self.legs))

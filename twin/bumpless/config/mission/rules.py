@@ -36,6 +36,7 @@ def broken_rules(mission: Mission, vehicle: Vehicle | None, any_vehicle: bool = 
     if vehicle is not None:
         found += [*_faults(mission, vehicle), *_parameters(mission.parameters, vehicle)]
         found += _dock(mission, vehicle)
+        found += _depths(mission, vehicle)
     return [Broken(*one) for one in found]
 
 
@@ -60,6 +61,20 @@ def _parameters(overrides: Mapping[str, Any], vehicle: Vehicle) -> list[tuple[st
     except ParameterError as error:
         problems = error.problems
     return [(f"parameters.{one.field}", one.value, one.rule) for one in problems]
+
+
+def _depths(mission: Mission, vehicle: Vehicle) -> Iterator[tuple[str, object, str]]:
+    """Nothing may lead deeper than the vehicle bears."""
+    most = vehicle.depth_rating_m
+    if most is None:
+        return
+    rule = f"must be no deeper than {most:g} m, which {vehicle.id} bears"
+    places = {"start.position_ned_m": mission.start.position_ned_m}
+    places |= {f"legs[{i}].to_ned_m": leg.to_ned_m for i, leg in enumerate(mission.legs)}
+    places["target.position_ned_m"] = mission.target.true_position_ned_m
+    for path, point in places.items():
+        if point[2] > most:
+            yield path, list(point), rule
 
 
 def _legs(mission: Mission) -> Iterator[tuple[str, object, str]]:

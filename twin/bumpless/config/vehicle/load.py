@@ -6,6 +6,7 @@ one, holds the `[control]` tables. `Vehicle.text` is both, so that one text carr
 
 import re
 import tomllib
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -54,9 +55,14 @@ def parse_vehicle(content: bytes | str, source: str, control_line: int = 0) -> V
     """A vehicle from the bytes or the text of its file; `source` names the file in problems.
 
     From line `control_line` on, if it is given, the text is that of the control file beside.
+    The same text gives the same object: whoever edits a mission reads its vehicle with each letter typed.
     Raises: VehicleError with every problem, in the order of the file.
     """
-    text = _text(content, source)
+    return _parsed(_text(content, source), source, control_line)
+
+
+@lru_cache(maxsize=16)
+def _parsed(text: str, source: str, control_line: int) -> Vehicle:
     tables = _tables(text, source, control_line)
     whole, broken = with_shared_fields(tables)
     try:

@@ -40,6 +40,10 @@ class Document:
     control: Annotated[
         dict[str, Any], Overrides("Control parameters, in a file beside or here", of=Parameters)
     ] = field(default_factory=dict[str, Any])
+    depth_rating_m: Annotated[
+        float | None,
+        Number("Depth that it bears", "m", 0.0, 11000.0, help="A mission that leads deeper is refused."),
+    ] = None
     failsafe: Annotated[Failsafe, Part("What it does by itself when something fails")] = field(
         default_factory=Failsafe
     )
@@ -66,6 +70,13 @@ class Vehicle(Document):
     def commands(self) -> tuple[Command, ...]:
         """Every command of every actuator, in the order of u."""
         return tuple(command for actuator in self.actuators for command in actuator.commands)
+
+    @property
+    def ends_m(self) -> tuple[float, float]:
+        """x of nose and tail in body axes, m; a box has its origin in the middle."""
+        length = self.hull.length_m
+        fore = getattr(self.hull, "nose_to_origin_m", 0.5 * length)
+        return fore, fore - length
 
     def slots(self, kind: str) -> list[int]:
         """Places in u of the commands of all actuators of a kind ("fin", "thruster")."""

@@ -4,7 +4,8 @@ import { type Ned, observationPoint, turn } from "../../model/geometry";
 import { approachOf, type MissionView } from "../../model/mission";
 import { arm } from "../grips";
 import { angle, type Ctx, px, type Scene, TAU } from "./scene";
-import { handle, text } from "./strokes";
+import { handle } from "./strokes";
+import { text } from "./words";
 
 export function paintDock(c: Ctx, s: Scene, dock: NonNullable<MissionView["dock"]>): void {
   const on = s.selected.includes("dock");

@@ -3,7 +3,8 @@ import { colour } from "../../../lib/theme";
 import type { Flight } from "../../fly/foresight";
 import type { Px } from "../viewport";
 import { type Ctx, px, type Scene, TAU } from "./scene";
-import { paintLine, text } from "./strokes";
+import { paintLine } from "./strokes";
+import { text } from "./words";
 
 const MODE_COLOURS: Record<string, string> = {
   F: "--mode-forward",

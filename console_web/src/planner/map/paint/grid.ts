@@ -40,7 +40,7 @@ export function paintGrid(c: Ctx, s: Scene): void {
   for (let y = Math.ceil(y0 / step) * step; y <= y1; y += step) {
     line(x0, y, x1, y, Math.abs(y) < step / 2);
     const [, at] = toPx(s.viewport, s.size, 0, y);
-    if (northUp && at > 152 && at < height - 24) {
+    if (northUp && at > (s.view.wave || s.waving ? 292 : 152) && at < height - 24) {
       c.textAlign = "left";
       c.fillText(`N ${name(y)}`, 5, at - 3);
     }

@@ -1,7 +1,7 @@
 // What the hand is doing: a measure or a box.
 import { colour } from "../../../lib/theme";
 import { type Ctx, px, type Scene } from "./scene";
-import { text } from "./strokes";
+import { text } from "./words";
 
 export function paintMeasure(c: Ctx, s: Scene): void {
   if (s.measured.length === 0) return;

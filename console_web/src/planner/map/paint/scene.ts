@@ -1,7 +1,8 @@
 // What the plan from above shows, and where a place of the water is on the canvas.
+import type { Drawn } from "../../charts/charts";
 import type { Flight, Nominal } from "../../fly/foresight";
 import type { Ned } from "../../model/geometry";
-import type { MissionView } from "../../model/mission";
+import type { MissionView, Outline } from "../../model/mission";
 import type { Figures } from "../figures";
 import { type Px, type Size, toPx, type Viewport } from "../viewport";
 
@@ -21,6 +22,13 @@ export interface Scene {
   stale: boolean;
   vehicle: { north: number; east: number; heading: number } | undefined;
   box: readonly [number, number, number, number] | undefined;
+  /** Charts beneath the plan, the lowest first. */
+  charts: readonly Drawn[];
+  theme: string;
+  /** Corners of the outline that is being drawn. */
+  drawn: Outline;
+  /** The waves' dial is shown though there are none. */
+  waving: boolean;
   measured: readonly (readonly [number, number])[];
   cursor: readonly [number, number] | undefined;
 }

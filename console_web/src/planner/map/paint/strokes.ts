@@ -3,18 +3,6 @@ import { colour, font } from "../../../lib/theme";
 import { along, type Ned } from "../../model/geometry";
 import { type Ctx, px, type Scene, TAU } from "./scene";
 
-/** Text that stays legible over lines. */
-export function text(c: Ctx, words: string, x: number, y: number, ink: string, weight = 400): void {
-  c.font = font("--text-xs", weight);
-  c.textAlign = "left";
-  c.lineWidth = 3;
-  c.lineJoin = "round";
-  c.strokeStyle = colour("--well");
-  c.strokeText(words, x, y);
-  c.fillStyle = colour(ink);
-  c.fillText(words, x, y);
-}
-
 export function note(c: Ctx, s: Scene, at: Ned, text: string, ink: string): void {
   const [x, y] = px(s, at);
   c.font = font("--text-2xs");

@@ -3,7 +3,8 @@ import { colour } from "../../../lib/theme";
 import type { Ned } from "../../model/geometry";
 import { arm } from "../grips";
 import { angle, type Ctx, px, type Scene } from "./scene";
-import { dot, handle, hull, text } from "./strokes";
+import { dot, handle, hull } from "./strokes";
+import { text } from "./words";
 
 export function paintWay(c: Ctx, s: Scene): void {
   const points = [s.view.start.at, ...s.view.legs.map((leg) => leg.at)];

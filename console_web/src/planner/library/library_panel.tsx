@@ -1,18 +1,17 @@
 // All missions: stored ones, those that come with Bumpless, and drafts of this browser. Opened from the plan's top line.
 import { useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
-import { ask } from "../api/client";
-import { Resource } from "../api/resource";
-import { missions } from "../api/resources";
-import { clock } from "../lib/format";
-import { go } from "../shell/address";
-import { foreign, ownFirst, present } from "../stream/present";
-import { CrossIcon } from "../ui/icons";
-import { tool } from "./map/tools";
-import { draftNames, fromTemplate, fromText, importFile, name, newMission } from "./model/library";
+import { ask } from "../../api/client";
+import { Resource } from "../../api/resource";
+import { missions } from "../../api/resources";
+import { ownFirst, present } from "../../stream/present";
+import { CrossIcon } from "../../ui/icons";
+import { tool } from "../map/tools";
+import { draftNames, fromText, importFile, name, newMission } from "../model/library";
+import { Row } from "./library_row";
 import "./library_panel.css";
 
-interface Entry {
+export interface Entry {
   name: string;
   title: string;
   about: string;
@@ -21,6 +20,10 @@ interface Entry {
   builtin: boolean;
   draft: boolean;
   valid: boolean;
+  tags: readonly string[];
+  archived: boolean;
+  /** On the server, not only in this browser. */
+  stored: boolean;
 }
 
 function entries(): Entry[] {
@@ -35,6 +38,9 @@ function entries(): Entry[] {
     builtin: file.builtin === true,
     draft: drafts.has(file.name),
     valid: file.valid !== false,
+    tags: file.tags ?? [],
+    archived: file.archived === true,
+    stored: true,
   }));
   const known = new Set(files.map((file) => file.name));
   const only = [...drafts]
@@ -48,8 +54,15 @@ function entries(): Entry[] {
       builtin: false,
       draft: true,
       valid: true,
+      tags: [],
+      archived: false,
+      stored: false,
     }));
   return ownFirst([...only, ...stored.filter((one) => !one.builtin), ...stored.filter((one) => one.builtin)]);
+}
+
+function told({ name, title, about, tags, vehicle }: Entry): string {
+  return [name, title, about, vehicle, ...tags].join(" ").toLowerCase();
 }
 
 export function begin(): void {
@@ -59,14 +72,24 @@ export function begin(): void {
 
 export function Library({ onClose }: { onClose: () => void }) {
   const wanted = useSignal("");
+  const tag = useSignal("");
+  const put = useSignal(false); // those that were put away
   const box = useRef<HTMLInputElement>(null);
   useEffect(() => {
     void missions.refresh();
     box.current?.focus();
   }, []);
+  const all = entries();
+  const away = all.filter(({ archived }) => archived).length;
+  const tags = [
+    ...new Set(all.filter(({ archived }) => archived === put.value).flatMap((one) => one.tags)),
+  ].sort();
   const words = wanted.value.toLowerCase().split(/\s+/).filter(Boolean);
-  const shown = entries().filter((entry) =>
-    words.every((word) => `${entry.name} ${entry.title} ${entry.about}`.toLowerCase().includes(word)),
+  const shown = all.filter(
+    (entry) =>
+      entry.archived === put.value &&
+      (tag.value === "" || entry.tags.includes(tag.value)) &&
+      words.every((word) => told(entry).includes(word)),
   );
   return (
     <section class="panel library" aria-label="Missions to open">
@@ -103,14 +126,49 @@ export function Library({ onClose }: { onClose: () => void }) {
           onKeyDown={(event) => event.key === "Escape" && onClose()}
         />
       </div>
-      {words.length === 0 && <Templates onClose={onClose} />}
+      {words.length === 0 && !put.value && <Templates onClose={onClose} />}
+      {(tags.length > 0 || away > 0) && (
+        <div class="library-tags" role="group" aria-label="Which missions">
+          {tags.map((word) => (
+            <button
+              key={word}
+              type="button"
+              class="action small"
+              aria-pressed={tag.value === word}
+              onClick={() => {
+                tag.value = tag.peek() === word ? "" : word;
+              }}
+            >
+              {word}
+            </button>
+          ))}
+          <span class="grow" />
+          {(away > 0 || put.value) && (
+            <button
+              type="button"
+              class="action small"
+              aria-pressed={put.value}
+              onClick={() => {
+                tag.value = "";
+                put.value = !put.peek();
+              }}
+            >
+              Archive ({away})
+            </button>
+          )}
+        </div>
+      )}
       <ul class="library-rows">
         {shown.map((entry) => (
           <Row key={entry.name} entry={entry} onClose={onClose} />
         ))}
         {shown.length === 0 && (
           <li class="empty">
-            {words.length ? "No mission has these words." : "No missions yet: begin a new one."}
+            {words.length || tag.value
+              ? "No mission has these words."
+              : put.value
+                ? "Nothing is put away."
+                : "No missions yet: begin a new one."}
           </li>
         )}
       </ul>
@@ -172,46 +230,5 @@ function Import({ onClose }: { onClose: () => void }) {
         }}
       />
     </>
-  );
-}
-
-function Row({ entry, onClose }: { entry: Entry; onClose: () => void }) {
-  const other = foreign(entry);
-  return (
-    <li class="library-row" data-foreign={other ? "yes" : undefined}>
-      <button
-        type="button"
-        class="library-open"
-        aria-current={entry.name === name.value ? "true" : undefined}
-        onClick={() => {
-          go("plan", entry.name);
-          onClose();
-        }}
-      >
-        <span class="row-title">
-          <b class="ellipsis">{entry.title}</b>
-          {entry.draft && <span class="tag">draft</span>}
-          {!entry.valid && <span class="tag">breaks a rule</span>}
-          {other && <span class="tag">for {entry.vehicle}</span>}
-          <span class="grow" />
-          {entry.duration !== null && <span class="muted num">{clock(entry.duration)}</span>}
-        </span>
-        <span class="muted library-about">{entry.about}</span>
-      </button>
-      {entry.builtin && (
-        <button
-          type="button"
-          class="action small"
-          title="A mission of your own that begins as this one"
-          aria-label={`New from ${entry.title}`}
-          onClick={() => {
-            void fromTemplate(entry.name);
-            onClose();
-          }}
-        >
-          New from it
-        </button>
-      )}
-    </li>
   );
 }

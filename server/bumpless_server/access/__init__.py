@@ -1,0 +1,1 @@
+"""People, scripts and what they may do: accounts, sessions, tokens, roles, and who holds control."""
