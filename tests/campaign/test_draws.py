@@ -179,3 +179,11 @@ def test_every_quantity_changes_a_flight(campaign: Callable[..., Prepared], ts10
             values = {"ballast_n": 0.1, "ballast_x_m": 0.1} | values
         changed = (drawn_mission(mission, values), drawn_vehicle(ts100, values), Alteration.of(values))
         assert changed != (mission, ts100, Alteration()), name
+
+
+@pytest.mark.parametrize(
+    ("drawn", "flown"), [({}, False), ({"actuator_flow": 1}, True), ({"actuator_flow": 0}, False)]
+)
+def test_the_real_flow_is_drawn(drawn, flown):
+    """Protects: campaigns fly with the real flow or without; undrawn as the mission says."""
+    assert drawn_mission(shipped_mission("docking"), drawn).actuator_flow is flown

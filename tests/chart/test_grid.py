@@ -14,7 +14,7 @@ from bumpless.chart.esri import read_esri
 from bumpless.config.mission import missions_folder, parse_mission
 from bumpless.config.mission.origin import Origin
 
-DOCKING = (missions_folder() / "docking.yaml").read_text()
+DOCKING = (missions_folder() / "docking.yaml").read_text().split("\nenvironment:")[0] + "\n"
 ASC = """ncols 3
 nrows 2
 xllcorner 100

@@ -105,7 +105,7 @@ def _ended(
 
 def _stay(said: Numbers | None) -> Row:
     figure, before, target = "hover held for 10 min in every accepted current", "lost", "all"
-    if said is None:
+    if said is None or "accepted" not in said["stay"]:
         return Row(figure, before, target)
     stay = said["stay"]
     of = (
@@ -119,7 +119,7 @@ def _stay(said: Numbers | None) -> Row:
 
 def _wander(said: Numbers | None) -> Row:
     figure, before, target = "heading wander about the approach in such a hover", "lost", "< 1°"
-    if said is None:
+    if said is None or "accepted" not in said["stay"]:
         return Row(figure, before, target)
     q = said["stay"]["wander_deg"]
     return Row(figure, before, target, _spread(q, "° RMS"), "", "accepted currents")

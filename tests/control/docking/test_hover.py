@@ -6,6 +6,7 @@ import pytest
 from bumpless.contract.enums import APPROACH, REVERSE
 from bumpless_paper.study.docks import draw_case, fly_case, judge
 from bumpless_paper.study.docks.hover import against, hover
+from bumpless_paper.study.docks.response import depth_step, stay
 
 
 @pytest.mark.parametrize("current_mps", [0.08, 0.12])
@@ -15,6 +16,20 @@ def test_ten_minutes_in_gusts(number, current_mps) -> None:
     bow wanders less than 1 deg RMS about the heading that it follows."""
     seen = hover(against(number, current_mps))
     assert seen.held and seen.share == 1.0 and seen.wander_deg < 1.0
+
+
+@pytest.mark.parametrize("number", [8, 33])
+def test_what_is_accepted_for_ten_minutes_is_held(number) -> None:
+    """Protects: the check's word on a long hover, with a free heading (8), a fixed one (33)."""
+    seen = stay(number)
+    assert seen.accepted and seen.held and seen.within > 0.95 and seen.wander_deg < 1.0
+
+
+@pytest.mark.parametrize("number", [1, 3])
+def test_a_dive_leaves_no_load_behind(number) -> None:
+    """Protects: what the verticals carry is not learnt on the way down; it kept pushing after."""
+    step = depth_step(number)
+    assert step.settled_s < 15.0 and step.overshoot < 0.05
 
 
 @pytest.mark.parametrize("number", [2253, 2278])

@@ -23,7 +23,7 @@ from bumpless_server.foresight.wanted import ForesightRequest
 from tests.server.foresight.conftest import Planner, joined
 
 DOCKING = (missions_folder() / "docking.yaml").read_text()
-ABEAM = DOCKING + "\nenvironment:\n  current_ned_mps: [0, 0.1, 0]\n"
+ABEAM = DOCKING.split("\nenvironment:")[0] + "\nenvironment:\n  current_ned_mps: [0, 0.1, 0]\n"
 
 
 def _workers() -> list[psutil.Process]:

@@ -13,7 +13,7 @@ from bumpless_server.settings import Settings
 from tests.server.serving import Running, serving
 
 DOCKING = (missions_folder() / "docking.yaml").read_bytes()
-ABEAM = DOCKING + b"\nenvironment:\n  current_ned_mps: [0, 0.1, 0]\n"
+ABEAM = DOCKING.split(b"\nenvironment:")[0] + b"\nenvironment:\n  current_ned_mps: [0, 0.1, 0]\n"
 
 
 @pytest.fixture
