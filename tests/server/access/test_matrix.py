@@ -56,7 +56,7 @@ class Door:
 
     async def ask(self, method: str, path: str, role: Role | None) -> int:
         """The status of a request by somebody of this role; 0 for a socket that opened."""
-        self.auth.asks = role and Who(role.name, role, role.name, role.name, session="s")
+        self.auth.asks = Who(role.name, role, role.name, role.name, session="s") if role else None
         self.reached, statuses = False, []
         websocket = method == "WS"
         headers = [
@@ -70,7 +70,7 @@ class Door:
         async def receive() -> dict[str, Any]:
             return {"type": "websocket.connect" if websocket else "http.request"}
 
-        async def send(message: dict[str, Any]) -> None:
+        async def send(message: Any) -> None:
             statuses.append(message.get("status", message.get("code", 0)))
 
         await self.guard(scope, receive, send)
@@ -154,7 +154,7 @@ def routes() -> set[tuple[str, str]]:
     found = set()
     for route in (route for router in routers for route in router.routes):
         if isinstance(route, APIRoute):
-            found |= {(method, route.path) for method in route.methods}
+            found |= {(method, route.path) for method in route.methods or ()}
         elif isinstance(route, APIWebSocketRoute):
             found.add(("WS", route.path))
     return found
