@@ -9,7 +9,6 @@ import logging
 import secrets
 import threading
 import time
-from concurrent.futures import Future
 from pathlib import Path
 from typing import Any
 
@@ -33,16 +32,18 @@ from bumpless_server.foresight.job import Present
 from bumpless_server.live.ask import NoAnswer
 from bumpless_server.live.bus import Bus
 from bumpless_server.live.clock import VehicleClock
-from bumpless_server.live.desk import Busy, Command, Desk
+from bumpless_server.live.desk import Desk
 from bumpless_server.live.dispatch import Dispatcher
 from bumpless_server.live.freshness import freshness
 from bumpless_server.live.heart import Heart
 from bumpless_server.live.intake import Intake
+from bumpless_server.live.rivals import Rivals
 from bumpless_server.live.sample import AUDIT, CONTROL, EVENT, Sample
 from bumpless_server.live.speaker import Speaker
 from bumpless_server.live.state import State
 from bumpless_server.live.stream import Stream
 from bumpless_server.live.tally import KINDS, Tally, printable
+from bumpless_server.live.tune_again import tune_again
 from bumpless_server.live.tuned import Tuned
 from bumpless_server.plan.charts.store import Charts
 from bumpless_server.plan.library import Library
@@ -66,8 +67,6 @@ from bumpless_server.what_if.revisions import Revisions
 
 log = logging.getLogger(__name__)
 
-RIVAL_PAUSE_S = 60.0  # between two alarms about one and the same
-MOST_RIVALS = 100
 _LEVELS = {pb.SEVERITY_WARNING: logging.WARNING, pb.SEVERITY_ALARM: logging.ERROR}
 
 
@@ -120,11 +119,12 @@ class Console:
             self.data.access / "sessions.json", self.accounts, settings.session_hours * 3600.0
         )
         self.tally, self.clock, self.speaker = Tally(self._set_aside), VehicleClock(), Speaker()
+        rivals = Rivals(self.state.vehicle_id, self.say)
         self.dispatcher = Dispatcher(
             self.state,
             self._on_time,
             self._on_link,
-            Intake(self.tally, self.speaker, self.clock, self._rival),
+            Intake(self.tally, self.speaker, self.clock, rivals),
             self.recorder.offer,
         )
         self.bus = Bus(
@@ -135,7 +135,7 @@ class Console:
             self.dispatcher.alive,
             self.speaker,
             self.tally,
-            self._rival,
+            rivals,
             settings.zenoh_config,
         )
         self.audit = Audit(self.data.audit, self._audited)
@@ -149,7 +149,6 @@ class Console:
         )
         self.tuned = Tuned(self.state)
         self.state.subscribe(self._heard)
-        self._rivals: dict[str, float] = {}  # when each was told of, s
         self.supervisor = Supervisor(
             node_command(settings), self.data.node_log, self.data.node_record, self.say, self._ask_node_to_end
         )
@@ -298,38 +297,9 @@ class Console:
             pb.SEVERITY_WARNING, "set_aside", f"{KINDS[kind]} ({example})", {"kind": kind, "last": example}
         )
 
-    def _rival(self, session: str, said: str) -> None:
-        """Tell of somebody else who speaks for the vehicle: at once, then no more than once a minute."""
-        now = time.monotonic()
-        if now - self._rivals.get(session, -RIVAL_PAUSE_S) < RIVAL_PAUSE_S or len(self._rivals) > MOST_RIVALS:
-            return
-        self._rivals[session] = now
-        who = f"session {session}" if session else "a session without an id"
-        text = f"Somebody else speaks for {self.state.vehicle_id} on the bus and is not listened to: {who}"
-        self.say(pb.SEVERITY_ALARM, "second_speaker", text, {"session": session, "said": said})
-
     def _heard(self, sample: Sample) -> None:
         if sample.topic == DESCRIPTION and self.settings.manage_node:
-            self._tune_again()
-
-    def _tune_again(self) -> None:
-        """A node that came back from a crash gets what the operator had tuned it with."""
-        parameters = self.tuned.forgotten()
-        if parameters is None:
-            return
-
-        def told(future: "Future[pb.CommandReply]") -> None:
-            error = future.exception()
-            reply = pb.CommandReply(reason=str(error)) if error else future.result()
-            if reply.accepted:
-                text = "The vehicle node came back; it flies with the parameters of before again"
-                self.say(pb.SEVERITY_INFO, "parameters_restored", text, {"revision": str(reply.revision)})
-            else:
-                text = f"The vehicle node came back with its defaults and not as tuned: {reply.reason}"
-                self.say(pb.SEVERITY_ALARM, "parameters_not_restored", text, {})
-
-        with contextlib.suppress(Busy, RuntimeError):
-            self.desk.submit(Command("set_parameters", parameters, author="server")).add_done_callback(told)
+            tune_again(self.tuned, self.desk, self.say)
 
     def _on_time(self) -> pb.ServerStatus:
         """Twice a second, on the dispatcher's thread."""

@@ -63,4 +63,15 @@ def test_no_view_has_a_serious_or_moderate_fault(
         expect(console.locator("main:not([hidden]) .panel").first).to_be_visible()
         if bad := faults(console):
             found[view.id] = bad
+    for arrangement in ("operate", "wall"):
+        console.goto(f"{server.url}#/live?as={arrangement}")
+        expect(console.get_by_role("heading", name=f"Live view, {arrangement.title()}")).to_be_attached()
+        expect(console.get_by_role("main").get_by_text("Depth").first).to_be_visible()
+        found |= {arrangement: bad} if (bad := faults(console)) else {}
+    for key, sheet in (("?", "Words and keys"), ("Control+k", "Find everything")):
+        console.keyboard.press(key)
+        expect(console.get_by_role("dialog", name=sheet)).to_be_visible()
+        found |= {sheet: bad} if (bad := faults(console)) else {}
+        console.keyboard.press("Escape")
+        expect(console.get_by_role("dialog", name=sheet)).to_have_count(0)
     assert not found

@@ -29,6 +29,12 @@ legs:
   - {to_ned_m: [24.5, 0, 2.0], speed_mps: 0.6}
 target: {position_ned_m: [26, 0, 2.0], heading_deg: 0, standoff_m: 1.5}
 """
+STALE = """async () => {
+  const told = await (await fetch("api/parameters")).json();
+  const headers = { "content-type": "application/json", "if-match": `"${told.revision - 1}"` };
+  const body = JSON.stringify(told.active);
+  return (await fetch("api/parameters", { method: "PUT", headers, body })).status;
+}"""
 FAULT = "faults:\n  - {actuator: n_v1, at_s: 4, effectiveness: 0.6}\n"
 
 
@@ -85,7 +91,7 @@ def plan_and_start(page: Page) -> None:
 
 
 def draft_ahead_and_apply(page: Page, other: Page) -> None:
-    """Both draft; one sees what the draft would do and applies it; the other's is then refused as stale."""
+    """Both draft; one sees what the draft would do and applies it; what was made before is then refused."""
     for one in (page, other):
         show(one, "Mode weights")
     other.get_by_label("Hover: N_sw", exact=True).fill("90")
@@ -104,7 +110,8 @@ def draft_ahead_and_apply(page: Page, other: Page) -> None:
     expect(stale).to_be_visible()
     other.get_by_role("button", name="Apply to vehicle").click()
     refused = other.get_by_role("alert").filter(has_text="Refused; nothing was changed.")
-    expect(refused).to_contain_text("is in force")
+    expect(refused).to_contain_text("holds control")
+    assert page.evaluate(STALE) == 412  # and of who holds it, a change of an old revision is refused as well
     stale.get_by_role("button").click()
     expect(stale).to_have_count(0)
     other.get_by_role("button", name="Revert all").click()

@@ -10,6 +10,14 @@ from tests.console import flight
 from tests.console.contract_server import ContractServer
 from tests.console.replies import OLD_RUN_ID, as_json
 
+FOCUSED = """() => {
+    const e = document.activeElement;
+    if (e === document.body || e.tagName === 'IFRAME') return [e.tagName, true];
+    const b = e.getBoundingClientRect();
+    const seen = b.width > 0 && b.bottom > 0 && b.top < innerHeight && b.right > 0 && b.left < innerWidth;
+    return [e.ariaLabel || e.textContent.trim().slice(0, 40) || e.tagName, seen];
+}"""
+
 
 def in_flight(time_s: float) -> flight.Messages:
     """A vehicle in that moment of its mission."""
@@ -181,6 +189,26 @@ def test_every_symbol_explains_itself_by_keyboard_and_touch(console: Page, serve
     assert small == [], "targets under 24 px"
 
 
+@pytest.mark.parametrize("arrangement", ["operate", "engineer", "wall"])
+def test_the_keyboard_goes_through_all_of_it(console: Page, server: ContractServer, arrangement: str) -> None:
+    """Protects every job by keyboard alone: each control in order, seen while it has the focus, no trap."""
+    console.goto(f"{server.url}#/live?as={arrangement}")
+    server.keep_saying(in_flight(46.5))
+    expect(console.get_by_label("Mode Hover").first).to_be_visible()
+    console.evaluate("document.activeElement.blur()")
+    seen: list[str] = []
+    for _ in range(150):
+        console.keyboard.press("Tab")
+        name, visible = console.evaluate(FOCUSED)
+        if name == "BODY":
+            break
+        assert visible, f"{name} is not seen while it has the focus"
+        seen.append(name)
+    assert len(seen) < 150, "the keyboard does not come out again"
+    assert any("Hold to abort" in name for name in seen)
+    assert any(("Find everything" in name) for name in seen)
+
+
 def test_a_question_mark_opens_words_and_keys(console: Page, server: ContractServer) -> None:
     """Protects the glossary: searched as one types, with what can be tuned by its own declaration."""
     help_ = {"path": "hover.lambda", "label": "Price of change", "help": "How much a change costs."}
@@ -315,7 +343,7 @@ def test_an_alarm_is_shelved_for_as_long_as_is_chosen(console: Page, server: Con
 
 def test_alarms_are_seen_by_who_is_in_control(console: Page, server: ContractServer) -> None:
     """Protects from an alarm that somebody looking on put away before the crew had read it."""
-    server.say(flight.held_by("another", "Ada"))
+    server.keep_saying(flight.held_by("another", "Ada"))
     server.say([("server/alarms", pb.Alarms(alarms=[alarm(*ALARMS[3][:3])]))])
     bar = console.get_by_role("region", name="Alarms")
     for name in ("Seen", "Shelve"):

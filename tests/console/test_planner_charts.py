@@ -133,3 +133,16 @@ def test_the_sea_floor_stands_under_the_way_with_its_clearance(planned: Page, se
     planned.reload()
     expect(planned.get_by_label("Depth profile").first).to_contain_text("clearance 2.9 m")
     expect(planned.get_by_label("Forecast", exact=True)).to_contain_text("2.7 m")
+
+
+def test_a_base_map_is_fetched_only_where_an_address_is_set(planned: Page, server: ContractServer) -> None:
+    """Protects who is offline and unseen: no tile by default, then those of the named server alone."""
+    asked: list[str] = []
+    planned.on("request", lambda request: asked.append(request.url))
+    reopened(planned, server, PLACED)
+    planner.click(planned, 10, 0)
+    assert not any("/tiles/" in url for url in asked if "/api/" not in url)
+    tiles = {"address": f"{server.url}tiles/{{z}}/{{x}}/{{y}}.png", "attribution": "© somebody"}
+    server.reply("GET", "charts/tiles", tiles)
+    with planned.expect_request(re.compile(r"/tiles/19/\d+/\d+\.png")):
+        planned.reload()

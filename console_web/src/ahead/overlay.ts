@@ -8,7 +8,7 @@ const DASH = [7, 4];
 
 /** Seconds past the present that the plots show for the flights ahead; 0 without any, and in a replay. */
 export function room(): number {
-  if (!screen.isLive) return 0;
+  if (!screen.isLive || screen.until < screen.history.last()) return 0; // or the plots are held in the past
   const left = reach() - screen.history.last();
   return Number.isFinite(left) ? Math.max(left, 0) : 0;
 }

@@ -5151,8 +5151,26 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Refused"];
                 };
             };
+            /** @description There is no such thing */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
             /** @description Not this method */
             405: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Refused as things stand, by the server or the vehicle, with the reason */
+            409: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -5263,6 +5281,15 @@ export interface operations {
             };
             /** @description Not this method */
             405: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Refused as things stand, by the server or the vehicle, with the reason */
+            409: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -5739,8 +5766,26 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Refused"];
                 };
             };
+            /** @description There is no such thing */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
             /** @description Not this method */
             405: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Refused as things stand, by the server or the vehicle, with the reason */
+            409: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -6249,6 +6294,15 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Refused as things stand, by the server or the vehicle, with the reason */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
             /** @description By a host name that is not this server's */
             421: {
                 headers: {
@@ -6502,6 +6556,15 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Refused as things stand, by the server or the vehicle, with the reason */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
             /** @description By a host name that is not this server's */
             421: {
                 headers: {
@@ -6611,6 +6674,15 @@ export interface operations {
             };
             /** @description Not this method */
             405: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Refused as things stand, by the server or the vehicle, with the reason */
+            409: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -6730,6 +6802,15 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Refused as things stand, by the server or the vehicle, with the reason */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
             /** @description By a host name that is not this server's */
             421: {
                 headers: {
@@ -6825,8 +6906,26 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Refused"];
                 };
             };
+            /** @description There is no such thing */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
             /** @description Not this method */
             405: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Refused as things stand, by the server or the vehicle, with the reason */
+            409: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -7986,8 +8085,26 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Refused"];
                 };
             };
+            /** @description There is no such thing */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
             /** @description Not this method */
             405: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Refused as things stand, by the server or the vehicle, with the reason */
+            409: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -8107,6 +8224,15 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Refused as things stand, by the server or the vehicle, with the reason */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
             /** @description By a host name that is not this server's */
             421: {
                 headers: {
@@ -8169,7 +8295,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": unknown;
+                    "application/json": Record<string, never>;
                 };
             };
             /** @description No request that can be read */
@@ -9139,8 +9265,26 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Refused"];
                 };
             };
+            /** @description There is no such thing */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
             /** @description Not this method */
             405: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Refused as things stand, by the server or the vehicle, with the reason */
+            409: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -10266,6 +10410,15 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Refused as things stand, by the server or the vehicle, with the reason */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
             /** @description By a host name that is not this server's */
             421: {
                 headers: {
@@ -10665,6 +10818,15 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Refused as things stand, by the server or the vehicle, with the reason */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
             /** @description By a host name that is not this server's */
             421: {
                 headers: {
@@ -10770,6 +10932,15 @@ export interface operations {
             };
             /** @description Not this method */
             405: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Refused as things stand, by the server or the vehicle, with the reason */
+            409: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -11314,6 +11485,15 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Refused as things stand, by the server or the vehicle, with the reason */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
             /** @description By a host name that is not this server's */
             421: {
                 headers: {
@@ -11417,6 +11597,15 @@ export interface operations {
             };
             /** @description Not this method */
             405: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Refused as things stand, by the server or the vehicle, with the reason */
+            409: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -11536,6 +11725,15 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Refused as things stand, by the server or the vehicle, with the reason */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
             /** @description By a host name that is not this server's */
             421: {
                 headers: {
@@ -11641,6 +11839,15 @@ export interface operations {
             };
             /** @description Not this method */
             405: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Refused as things stand, by the server or the vehicle, with the reason */
+            409: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -11754,6 +11961,15 @@ export interface operations {
             };
             /** @description Not this method */
             405: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Refused as things stand, by the server or the vehicle, with the reason */
+            409: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -12655,6 +12871,15 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Refused as things stand, by the server or the vehicle, with the reason */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
             /** @description By a host name that is not this server's */
             421: {
                 headers: {
@@ -12861,6 +13086,15 @@ export interface operations {
             };
             /** @description Not this method */
             405: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Refused as things stand, by the server or the vehicle, with the reason */
+            409: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -13249,15 +13483,6 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Refused"];
                 };
             };
-            /** @description Refused as things stand, by the server or the vehicle, with the reason */
-            409: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/problem+json": components["schemas"]["Refused"];
-                };
-            };
             /** @description By a host name that is not this server's */
             421: {
                 headers: {
@@ -13352,15 +13577,6 @@ export interface operations {
             };
             /** @description Not this method */
             405: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/problem+json": components["schemas"]["Refused"];
-                };
-            };
-            /** @description Refused as things stand, by the server or the vehicle, with the reason */
-            409: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -15297,6 +15513,15 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Refused as things stand, by the server or the vehicle, with the reason */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
             /** @description By a host name that is not this server's */
             421: {
                 headers: {
@@ -16647,6 +16872,15 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Refused"];
                 };
             };
+            /** @description Refused as things stand, by the server or the vehicle, with the reason */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
             /** @description By a host name that is not this server's */
             421: {
                 headers: {
@@ -16741,8 +16975,26 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Refused"];
                 };
             };
+            /** @description There is no such thing */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
             /** @description Not this method */
             405: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Refused as things stand, by the server or the vehicle, with the reason */
+            409: {
                 headers: {
                     [name: string]: unknown;
                 };

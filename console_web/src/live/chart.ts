@@ -3,8 +3,9 @@ import { effect } from "@preact/signals";
 import uPlot from "uplot";
 import { drawAhead, extent } from "../ahead/overlay";
 import { fixed, headingOf } from "../lib/format";
+import { paced } from "../lib/pace";
 import { colour, font, theme, typeSize } from "../lib/theme";
-import { screen } from "../stream/screen";
+import { heldAt, screen } from "../stream/screen";
 import { marks } from "./event_marks";
 import { ghost, ghostLine } from "./ghost";
 import { band } from "./limit_band";
@@ -26,11 +27,18 @@ export function chart(
     plot?.destroy();
     plot = new uPlot(options(spec, axis, box.clientWidth, box.clientHeight), dataOf(spec), box);
   });
-  const stopFeeding = effect(() => {
-    void [screen.tick, window_s.value, ghost.value, limits.value];
+  const feed = paced(() => {
     if (!plot || !box.clientHeight) return;
     plot.setData(dataOf(spec));
     if (values) showValues(values, spec, plot);
+  });
+  const stopFeeding = effect(() => {
+    void [screen.tick, screen.until];
+    feed();
+  });
+  const stopChoosing = effect(() => {
+    void [window_s.value, heldAt.value, ghost.value, limits.value];
+    feed.now();
   });
   const size = new ResizeObserver(() => {
     if (box.clientWidth && box.clientHeight)
@@ -39,7 +47,9 @@ export function chart(
   size.observe(box);
   return () => {
     size.disconnect();
+    feed.stop();
     stopFeeding();
+    stopChoosing();
     stopMaking();
     plot?.destroy();
   };
@@ -52,10 +62,12 @@ function dataOf(spec: PlotSpec): uPlot.AlignedData {
   const rows = Math.max(0, screen.history.firstIndex(to + 1e-6) - first);
   const lines = spec.traces.map(({ column }) => {
     const values = screen.history.column(column);
-    return Array.from({ length: rows }, (_, i) => {
-      const value = values?.[first + i];
-      return value === undefined || Number.isNaN(value) ? null : value;
-    });
+    const line: (number | null)[] = new Array(rows).fill(null);
+    for (let i = 0; values && i < rows; i++) {
+      const value = values[first + i] as number;
+      if (!Number.isNaN(value)) line[i] = value;
+    }
+    return line;
   });
   const times = screen.history.time.slice(first, first + rows);
   const measured = spec.traces.find(({ look }) => look === "measured")?.column ?? "";

@@ -57,7 +57,7 @@ export function Glossary() {
     .filter((group) => group.keys.length);
   return (
     <Dialog name="Words and keys" class="glossary" onClose={close}>
-      <header class="sheet-head">
+      <div class="sheet-head">
         <input
           type="search"
           aria-label="Search words and keys"
@@ -70,7 +70,7 @@ export function Glossary() {
         <button type="button" class="action small" onClick={close}>
           Close
         </button>
-      </header>
+      </div>
       <div class="sheet-body" tabIndex={0}>
         {keys.map((group) => (
           <section key={group.name} aria-label={group.name}>

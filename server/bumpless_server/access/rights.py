@@ -93,11 +93,6 @@ ROWS: tuple[Row, ...] = (
         GET /api/runs-disk
         GET /api/foxglove_layout.json
         GET /api/runs/{run}/log.mcap
-        GET /api/runs/{run}/export
-        GET /api/runs/{run}/hull
-        GET /api/compare/report.html
-        GET /api/foxglove_layout.json
-        GET /api/parameters/revisions
         GET /api/alarms/limits
         GET /api/vehicle/reach
         GET /api/charts
@@ -105,7 +100,6 @@ ROWS: tuple[Row, ...] = (
         GET /api/charts/{name}/file
         GET /api/charts/{name}/picture
         GET /api/charts/{name}/shown
-        POST /api/what-if
         GET /api/bin
         POST /api/scene/camera
         GET /scene/
@@ -141,9 +135,7 @@ ROWS: tuple[Row, ...] = (
         DELETE /api/runs/{run}
         POST /api/runs/{run}/refly
         POST /api/runs-import
-        POST /api/what-if
         PUT /api/runs/{run}/words
-        POST /api/runs/{run}/refly
         PUT /api/charts/{name}
         PUT /api/charts/{name}/owners
         DELETE /api/charts/{name}

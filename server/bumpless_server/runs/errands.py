@@ -65,6 +65,8 @@ class Errands:
             )
         except subprocess.TimeoutExpired as error:
             raise ErrandFailed(f"it took longer than {LONGEST_S:g} s and was given up") from error
+        except (ValueError, OSError) as error:  # a NUL in a word, or more words than a command may have
+            raise ErrandFailed(f"it cannot be asked for: {error}") from error
         if done.returncode:
             said = [line for line in done.stderr.strip().splitlines() if line.strip()]
             log.info("bumpless %s: %s", arguments[0] if arguments else "", done.stderr.strip()[-2000:])

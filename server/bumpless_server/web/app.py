@@ -114,7 +114,7 @@ def create_app(settings: Settings, console: Console | None = None) -> FastAPI:
         app.include_router(scene.router)
     interface.install(app)
     help.mount(app)
-    page.mount(app)
+    page.mount(app, settings.tiles)
     return app
 
 

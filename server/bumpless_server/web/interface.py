@@ -92,12 +92,10 @@ def _refusals(operation: dict[str, Any], right: Right, method: str, path: str) -
         known |= {401, 403}
     if right.control:
         known |= {423}
-    if "{" in path or path in (PARAMETERS, "/api/vehicle", "/api/audit.jsonl", "/api/compare"):
-        known |= {404}
+    if operation.get("parameters") or path in (PARAMETERS, "/api/vehicle", "/api/audit.jsonl"):
+        known |= {404, 409}  # no such thing, or one that is just being recorded
     if method != "GET":
         known |= {403, 404, 409, 413, 507}
-    if method != "GET" or path.startswith("/api/runs"):
-        known |= {409}  # a run that is being recorded
     if "/mission/" in path or path == PARAMETERS:
         known |= set(COMMANDED)
     if path.startswith("/api/control/"):

@@ -196,7 +196,7 @@ def test_every_field_says_what_a_form_needs(cls: type) -> None:
 def test_parts_lists_and_kinds_have_paths_of_their_own() -> None:
     """Protects: what a form asks for by path."""
     mission = {entry["path"]: entry for entry in catalogue(MissionDocument)}
-    assert mission["legs[].speed_mps"]["unit"] == "m/s" and mission["legs"]["most"] == 63
+    assert mission["legs[].speed_mps"]["unit"] == "m/s" and mission["legs"]["most"] == 511
     assert mission["parameters.hover.lambda"]["live"] and mission["environment.wave"]["nullable"]
     assert mission["target.position_ned_m"]["min"] == (-1e5, -1e5, 0.0)
     vehicle = {(entry["path"], entry["kind"]) for entry in catalogue(VehicleDocument)}

@@ -60,6 +60,7 @@ def test_signals_come_as_a_table(server: Running) -> None:
         (RUN, {"from_s": "nan"}, 422),
         (RUN, {"from_s": 20, "to_s": 10}, 422),
         (RUN, {"from_s": 5000}, 422),
+        (RUN, {"as": "csv", "signal": "a\0b"}, 422),
     ],
 )
 def test_what_cannot_be_exported_says_why(server: Running, run: str, query: dict, status: int) -> None:
@@ -91,6 +92,8 @@ def test_a_counterfactual_becomes_a_run(server: Running) -> None:
         ({"vehicle": "nowhere"}, "no such vehicle"),
         ({"vehicle": "../../etc/passwd"}, "not valid"),
         ({"speed": 1}, "not valid"),
+        ({"parameters": {"a.b\0": 1}}, "cannot be asked for"),
+        ({"parameters": {"hover.lambda": "x" * 3_000_000}}, "cannot be asked for"),
     ],
 )
 def test_what_cannot_be_flown_again_says_why(server: Running, body: dict, why: str) -> None:

@@ -1,6 +1,7 @@
 // The plan from above, drawn on a canvas: quick at any number of legs, without a graphics card.
 import { colour } from "../../lib/theme";
 import { paintCharts } from "../charts/paint";
+import { paintTiles } from "../charts/paint_tiles";
 import { paintDial, paintWaves } from "./paint/dial";
 import { paintDock } from "./paint/dock";
 import { paintFan, paintTrack } from "./paint/forecast";
@@ -13,6 +14,7 @@ import { paintStart, paintVehicle, paintWay, paintWaypoints } from "./paint/way"
 import { paintDockZones } from "./paint/zones";
 
 export function paintPlan(c: Ctx, s: Scene): void {
+  paintTiles(c, s);
   paintCharts(c, s);
   paintGrid(c, s);
   paintOutlines(c, s);

@@ -4,6 +4,7 @@ import { useEffect, useRef } from "preact/hooks";
 import { fixed } from "../../lib/format";
 import { theme } from "../../lib/theme";
 import { drawn as charts } from "../charts/charts";
+import { come, source } from "../charts/tiles";
 import { plan } from "../fly/forecast";
 import { forecast as variant } from "../fly/what_if";
 import { onPlanKey } from "../keys";
@@ -44,10 +45,19 @@ function scene(extent: Size): Scene {
     measured: measured.value,
     charts: charts.value,
     theme: theme.value,
+    tiles: tilesHere(),
     drawn: drawn.value,
     waving: tool.value === "wave",
     cursor: tool.value === "measure" || drawn.value.length > 0 ? cursorAt.value : undefined,
   };
+}
+
+function tilesHere(): Scene["tiles"] {
+  const origin = originOf(mission.value.raw);
+  const { address = "", attribution = "" } = source.value ?? {};
+  if (!origin || !address) return undefined;
+  void come.value;
+  return { address, attribution, origin };
 }
 
 function cursor(): string {

@@ -21,13 +21,13 @@ describe("editing a mission's text", () => {
   });
 
   it("adds what was not there, and keeps comments and order", () => {
-    const made = edited(docking, [{ path: ["environment", "current_ned_mps"], value: [0, 0.1, 0] }]);
-    expect(made).toBe(`${docking}environment:\n  current_ned_mps: [0, 0.1, 0]\n`);
+    const made = edited(docking, [{ path: ["faults", 0], value: { actuator: "n_p", at_s: 5 } }]);
+    expect(made).toBe(`${docking}faults:\n  - {actuator: n_p, at_s: 5}\n`);
   });
 
   it("takes away what is left empty", () => {
-    const with_ = edited(docking, [{ path: ["environment", "current_ned_mps"], value: [0, 0.1, 0] }]);
-    expect(edited(with_, [{ path: ["environment", "current_ned_mps"], value: undefined }])).toBe(docking);
+    const ended = edited(docking, [{ path: ["end", "hover_hold_s"], value: 10 }]);
+    expect(edited(ended, [{ path: ["end", "hover_hold_s"], value: undefined }])).toBe(docking);
   });
 
   it.each(Object.entries(FILES))("can restructure %s without touching what it means", (_, before) => {

@@ -24,7 +24,8 @@ MEDIA = {
 BLOCK_BYTES = 256 * 1024
 MOST_SIGNALS = 100
 Seconds = Annotated[float | None, Query(ge=-1e9, le=1e9, allow_inf_nan=False)]
-JSON: dict[int | str, dict[str, Any]] = {200: {"content": {"application/json": {}}}}
+OBJECT = {"application/json": {"schema": {"type": "object"}}}
+JSON: dict[int | str, dict[str, Any]] = {200: {"content": OBJECT}}
 FILE: dict[int | str, dict[str, Any]] = {
     200: {"content": {kind.partition(";")[0]: {} for kind in MEDIA.values()}}
 }

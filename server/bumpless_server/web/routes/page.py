@@ -1,6 +1,7 @@
 """The console's page and its files; a friendly word when it has not been built."""
 
 from pathlib import Path
+from urllib.parse import urlsplit
 
 from fastapi import FastAPI
 from fastapi.responses import FileResponse, HTMLResponse, Response
@@ -26,16 +27,28 @@ def static_folder() -> Path | None:
 class Page(Compressed):
     """Static files that a browser asks for anew when their name has no content hash."""
 
+    def __init__(self, directory: Path, html: bool = True, policy: str = POLICY) -> None:
+        super().__init__(directory=directory, html=html)
+        self._policy = policy
+
     def file_response(self, full_path, *args, **kwargs) -> Response:  # type: ignore[no-untyped-def]
         response = super().file_response(full_path, *args, **kwargs)
         hashed = Path(full_path).parent.name == "assets"
-        response.headers["content-security-policy"] = POLICY
+        response.headers["content-security-policy"] = self._policy
         response.headers["cache-control"] = "public, max-age=31536000, immutable" if hashed else "no-cache"
         return response
 
 
-def mount(app: FastAPI) -> None:
-    """Serve the page at /. Call last: it takes every path that is left."""
+def policy_of(tiles: str) -> str:
+    """What the page may load: its own, and pictures of the one server of the base map's tiles, if any."""
+    if not tiles:
+        return POLICY
+    at = urlsplit(tiles)
+    return f"{POLICY}; img-src 'self' {at.scheme}://{at.netloc.split('@')[-1]}"
+
+
+def mount(app: FastAPI, tiles: str = "") -> None:
+    """Serve the page at /. Call last: it takes every path that is left. `tiles`: address of a base map's."""
     folder = static_folder()
     if folder is not None and (folder / LOGIN).is_file():
 
@@ -45,7 +58,7 @@ def mount(app: FastAPI) -> None:
             return FileResponse(folder / LOGIN, headers=headers)
 
     if folder is not None:
-        app.mount("/", Page(directory=folder, html=True), name="console")
+        app.mount("/", Page(folder, policy=policy_of(tiles)), name="console")
         return
 
     @app.get("/", include_in_schema=False)

@@ -1,6 +1,7 @@
 // What the plan from above shows, and where a place of the water is on the canvas.
 import type { Drawn } from "../../charts/charts";
 import type { Flight, Nominal } from "../../fly/foresight";
+import type { Origin } from "../../model/earth";
 import type { Ned } from "../../model/geometry";
 import type { MissionView, Outline } from "../../model/mission";
 import type { Figures } from "../figures";
@@ -25,6 +26,8 @@ export interface Scene {
   /** Charts beneath the plan, the lowest first. */
   charts: readonly Drawn[];
   theme: string;
+  /** A base map, where an address of tiles and an origin are there. */
+  tiles: { address: string; attribution: string; origin: Origin } | undefined;
   /** Corners of the outline that is being drawn. */
   drawn: Outline;
   /** The waves' dial is shown though there are none. */
