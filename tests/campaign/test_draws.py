@@ -165,7 +165,8 @@ def test_every_quantity_changes_a_flight(campaign: Callable[..., Prepared], ts10
         {"wave_height_m": 0.1, "fault_actuator": "n_p", "fault_at_s": 9.0, "fault_effectiveness": 0.5},
     )
     for name, quantity in QUANTITIES.items():
-        value = "n_v1" if name == "fault_actuator" else 1.25 if quantity.factor else max(0.3, quantity.low)
+        chosen = {"fault_actuator": "n_v1", "actuator_flow": 1.0}
+        value = chosen[name] if name in chosen else 1.25 if quantity.factor else max(0.3, quantity.low)
         values = {name: value}
         if name.startswith(("current_speed", "current_relative")):
             values = {"current_speed_mps": 0.1, "current_relative_deg": 10.0} | values

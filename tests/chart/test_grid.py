@@ -115,7 +115,7 @@ def test_a_flat_floor_needs_no_grid() -> None:
     """Protects: a basin's depth is a sea floor too; without either there is none to keep clear of."""
     flat = DOCKING + "sea_floor: {clearance_m: 1}\n"
     assert floor_of(parse_mission(flat)) is None and floor_of(parse_mission(DOCKING)) is None
-    floor = floor_of(parse_mission(flat.replace("environment:\n", "environment:\n  water_depth_m: 6\n")))
+    floor = floor_of(parse_mission(flat + "environment: {water_depth_m: 6}\n"))
     assert floor is not None and floor.depth([0.0, 5.0], [1.0, 2.0]).tolist() == [6.0, 6.0]
 
 

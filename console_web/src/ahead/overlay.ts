@@ -1,17 +1,10 @@
 // The flights ahead in the live plots: dashed, past the present. "As it is" faint, the draft strong.
 import type uPlot from "uplot";
 import { colour } from "../lib/theme";
-import { screen } from "../stream/screen";
-import { linesOf, reach } from "./flights";
+import { linesOf } from "./flights";
+import { room } from "./room";
 
 const DASH = [7, 4];
-
-/** Seconds past the present that the plots show for the flights ahead; 0 without any, and in a replay. */
-export function room(): number {
-  if (!screen.isLive || screen.until < screen.history.last()) return 0; // or the plots are held in the past
-  const left = reach() - screen.history.last();
-  return Number.isFinite(left) ? Math.max(left, 0) : 0;
-}
 
 /** A hook of uPlot's: draw what the flights ahead say of a column. */
 export function drawAhead(column: string): (plot: uPlot) => void {

@@ -1,6 +1,6 @@
 // One time window for the mode strip and all plots: the last W seconds of vehicle time.
 import { signal } from "@preact/signals";
-import { room } from "../ahead/overlay";
+import { room } from "../ahead/room";
 import type { Mode } from "../gen/bumpless_pb";
 import { clock } from "../lib/format";
 import type { History } from "../stream/history";

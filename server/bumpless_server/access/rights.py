@@ -135,6 +135,7 @@ ROWS: tuple[Row, ...] = (
         DELETE /api/runs/{run}
         POST /api/runs/{run}/refly
         POST /api/runs-import
+        POST /api/what-if
         PUT /api/runs/{run}/words
         PUT /api/charts/{name}
         PUT /api/charts/{name}/owners

@@ -75,10 +75,8 @@ def test_what_is_no_chart_is_refused_and_leaves_nothing(alone: Running) -> None:
     for data, name in ((b"PK\x03\x04", "a.kmz"), (b"MM\x00*" + b"\xff" * 50, "b.tif"), (b"", "c")):
         reply = alone.http.put("/api/charts/bad", params={"file_name": name}, content=data)
         assert reply.status_code == 422 and name in reply.json()["detail"]
-    assert alone.http.put("/api/charts/..%2Fx", params={"file_name": "x"}, content=GEOJSON).status_code in (
-        404,
-        422,
-    )
+    beside = alone.http.put("/api/charts/..%2Fx", params={"file_name": "x"}, content=GEOJSON)
+    assert beside.status_code in (404, 405, 422)
     assert alone.http.get("/api/charts").json() == []
     (alone.console.data.charts / "torn.chart").write_bytes(b"PK\x03\x04")
     assert alone.http.get("/api/charts").json() == []
