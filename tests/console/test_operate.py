@@ -109,6 +109,7 @@ def test_plots_are_held_and_looked_back_along_while_live(console: Page, server: 
 def test_a_stretch_is_marked_by_dragging(console: Page, server: ContractServer) -> None:
     """Protects zoom: the stretch alone is shown, in all plots, and a double click gives the present back."""
     fly(server, 40.0)
+    expect(console.get_by_label("Mode", exact=True)).to_contain_text("16.0 s in mode")  # all is drawn
     box = console.get_by_label("Depth over time").locator(".u-over").bounding_box()
     assert box is not None
     middle = box["y"] + box["height"] / 2

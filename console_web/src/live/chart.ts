@@ -3,7 +3,6 @@ import { effect } from "@preact/signals";
 import uPlot from "uplot";
 import { drawAhead, extent } from "../ahead/overlay";
 import { fixed, headingOf } from "../lib/format";
-import { paced } from "../lib/pace";
 import { colour, font, theme, typeSize } from "../lib/theme";
 import { heldAt, screen } from "../stream/screen";
 import { marks } from "./event_marks";
@@ -27,18 +26,11 @@ export function chart(
     plot?.destroy();
     plot = new uPlot(options(spec, axis, box.clientWidth, box.clientHeight), dataOf(spec), box);
   });
-  const feed = paced(() => {
+  const stopFeeding = effect(() => {
+    void [screen.tick, window_s.value, heldAt.value, ghost.value, limits.value];
     if (!plot || !box.clientHeight) return;
     plot.setData(dataOf(spec));
     if (values) showValues(values, spec, plot);
-  });
-  const stopFeeding = effect(() => {
-    void [screen.tick, screen.until];
-    feed();
-  });
-  const stopChoosing = effect(() => {
-    void [window_s.value, heldAt.value, ghost.value, limits.value];
-    feed.now();
   });
   const size = new ResizeObserver(() => {
     if (box.clientWidth && box.clientHeight)
@@ -47,9 +39,7 @@ export function chart(
   size.observe(box);
   return () => {
     size.disconnect();
-    feed.stop();
     stopFeeding();
-    stopChoosing();
     stopMaking();
     plot?.destroy();
   };

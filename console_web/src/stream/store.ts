@@ -1,5 +1,5 @@
 // The newest message of each topic, with its age, as signals. Frames are decoded as they come and shown
-// once per animation frame: a page that is not seen takes in everything and draws nothing.
+// in an animation frame about ten times a second: a page that is not seen takes in everything and draws nothing.
 // An age counts from the moment the server received the message, so a value replayed to a late joiner is
 // not taken for a live one.
 import { fromBinary } from "@bufbuild/protobuf";
@@ -8,6 +8,7 @@ import { type Event, EventSchema, StreamFrameSchema } from "../gen/bumpless_pb";
 import { FRESH_FOR_S } from "../gen/house";
 import { SCHEMAS } from "../gen/topics";
 import { EventLog } from "./event_log";
+import { pictures } from "./pictures";
 import { isTopic, type MessageOf, type TopicName } from "./topics";
 
 interface Sample {
@@ -44,7 +45,7 @@ export class LiveStore {
   private state: Connection = "connecting";
   private asked = false;
 
-  constructor(private readonly inNextFrame: (run: () => void) => void = (run) => requestAnimationFrame(run)) {
+  constructor(private readonly inNextFrame: (run: () => void) => void = pictures()) {
     const names = Object.keys(SCHEMAS) as TopicName[];
     this.topics = Object.fromEntries(names.map((name) => [name, this.topic(name)])) as Record<
       TopicName,

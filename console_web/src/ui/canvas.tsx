@@ -1,7 +1,6 @@
 // A canvas as large as its box, sharp on any screen, drawn when there is something new to show.
 import { useSignalEffect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
-import { type Paced, paced } from "../lib/pace";
 import { theme, typeSize } from "../lib/theme";
 import { screen } from "../stream/screen";
 
@@ -35,12 +34,9 @@ export function Canvas({ paint, name, class: look }: { paint: Paint; name: strin
     observer.observe(canvas);
     return () => observer.disconnect();
   }, []);
-  const soon = useRef<Paced | undefined>(undefined);
-  soon.current ??= paced(draw);
-  useEffect(() => () => soon.current?.stop(), []);
   useSignalEffect(() => {
     void [screen.tick, theme.value, typeSize.value];
-    soon.current?.();
+    draw();
   });
   return <canvas ref={element} class={look} role="img" aria-label={name} />;
 }

@@ -37,7 +37,8 @@ export function WordCard() {
       aria-label={word ? `${word.symbol}: ${word.name}` : "Word"}
       tabIndex={-1}
       onToggle={(event) => {
-        if (event.newState !== "closed") return;
+        // the browser tells late: by now another word may be shown
+        if (event.newState !== "closed" || card.current?.matches(":popover-open")) return;
         const back = asked.peek()?.at;
         asked.value = undefined;
         const focused = document.activeElement;
