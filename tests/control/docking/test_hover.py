@@ -22,7 +22,7 @@ def test_ten_minutes_in_gusts(number, current_mps) -> None:
 def test_what_is_accepted_for_ten_minutes_is_held(number) -> None:
     """Protects: the check's word on a long hover, with a free heading (8), a fixed one (33)."""
     seen = stay(number)
-    assert seen.accepted and seen.held and seen.within > 0.95 and seen.wander_deg < 1.0
+    assert seen.accepted and seen.held and seen.within > 0.95 and seen.wander_deg < 2.0
 
 
 @pytest.mark.parametrize("number", [1, 3])

@@ -27,7 +27,7 @@ def drawn_mission(mission: Mission, values: Values) -> Mission:
         environment=drawn_water(_environment(mission, values), values),
         sensors=drawn_errors(_sensors(mission, values), values),
         faults=_faults(mission, values),
-        actuator_flow=values["actuator_flow"] > 0.5 if "actuator_flow" in values else mission.actuator_flow,
+        actuator_flow=values["actuator_flow"] > 0.0 if "actuator_flow" in values else mission.actuator_flow,
     )
 
 
