@@ -200,11 +200,10 @@ def test_a_tuned_vehicle_is_foreseen_as_it_is_tuned() -> None:
 
 
 async def test_workers_that_never_come_up_are_given_up(
-    planner: Planner, monkeypatch: pytest.MonkeyPatch
+    foresight: Foresight, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Protects: where no process comes up, a planner is told so and does not wait for ever."""
     monkeypatch.setattr("bumpless_server.foresight.crew.COMMAND", (sys.executable, "-c", "pass"))
-    for worker in _workers():
-        worker.send_signal(signal.SIGKILL)
-    planner.ask(1, DOCKING)
-    assert (await planner.until_end(1))[-1]["kind"] == "failed"
+    async with joined(foresight)() as planner:
+        planner.ask(1, DOCKING)
+        assert (await planner.until_end(1))[-1]["kind"] == "failed"
