@@ -199,11 +199,10 @@ def test_a_tuned_vehicle_is_foreseen_as_it_is_tuned() -> None:
     assert not other.tuned and other.parameters == plan_of(request).parameters
 
 
-async def test_workers_that_never_come_up_are_given_up(
-    foresight: Foresight, monkeypatch: pytest.MonkeyPatch
-) -> None:
+async def test_workers_that_never_come_up_are_given_up() -> None:
     """Protects: where no process comes up, a planner is told so and does not wait for ever."""
-    monkeypatch.setattr("bumpless_server.foresight.crew.COMMAND", (sys.executable, "-c", "pass"))
-    async with joined(foresight)() as planner:
+    broken = Foresight(workers=2, command=(sys.executable, "-c", "pass"))
+    async with joined(broken)() as planner:
         planner.ask(1, DOCKING)
         assert (await planner.until_end(1))[-1]["kind"] == "failed"
+    await broken.stop()
