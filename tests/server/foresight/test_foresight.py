@@ -199,9 +199,10 @@ def test_a_tuned_vehicle_is_foreseen_as_it_is_tuned() -> None:
     assert not other.tuned and other.parameters == plan_of(request).parameters
 
 
-async def test_workers_that_never_come_up_are_given_up() -> None:
+async def test_workers_that_never_come_up_are_given_up(monkeypatch: pytest.MonkeyPatch) -> None:
     """Protects: where no process comes up, a planner is told so and does not wait for ever."""
-    broken = Foresight(workers=2, command=(sys.executable, "-c", "pass"))
+    monkeypatch.setattr("bumpless_server.foresight.foresight.COMMAND", (sys.executable, "-c", "pass"))
+    broken = Foresight(workers=2)
     async with joined(broken)() as planner:
         planner.ask(1, DOCKING)
         assert (await planner.until_end(1))[-1]["kind"] == "failed"
