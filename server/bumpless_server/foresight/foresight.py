@@ -29,6 +29,7 @@ log = logging.getLogger(__name__)
 MOST_CLIENTS = 16
 MOST_WAITING = 64  # messages for a client that reads too slowly
 IDLE_S = 300.0
+MOST_STILLBORN = 4  # workers in a row; fewer may have been killed by chance
 CORES = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 WORKERS = max(1, min(CORES, 4))
 
@@ -77,6 +78,7 @@ class Foresight:
         self._starting = asyncio.Lock()
         self._begun: set[asyncio.Task[None]] = set()
         self._idle: asyncio.TimerHandle | None = None
+        self._stillborn = 0  # workers in a row that ended before they were ready
 
     @asynccontextmanager
     async def client(self, send: Callable[[str], Awaitable[None]]) -> AsyncIterator[Client]:
@@ -165,6 +167,7 @@ class Foresight:
         if client is not None and job is not None and client.job is job:
             self._pass(client, job, head, body)
         if head.end:
+            self._stillborn = 0
             self._doing.pop(head.number, None)
             worker.task = None
             self._hand_out()
@@ -192,10 +195,12 @@ class Foresight:
         self._workers.remove(worker)
         task = worker.task
         client, job = self._doing.pop(task.number, (None, None)) if task is not None else (None, None)
-        if isinstance(task, Task) and task.kind == "warm":  # it never came up, and the next would not either
+        if isinstance(task, Task) and task.kind == "warm":
             log.error("a foresight worker ended before it was ready")
-            for one in self._clients:
-                self._fail(one, one.job, "no process can be started that flies it")
+            self._stillborn += 1
+            if self._stillborn >= MOST_STILLBORN:  # none comes up, and the next would not either
+                for one in self._clients:
+                    self._fail(one, one.job, "no process can be started that flies it")
         else:
             self._fail(client, job, "the process that flew it ended")
         if any(one.job is not None for one in self._clients):

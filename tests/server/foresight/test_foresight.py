@@ -3,6 +3,7 @@
 import asyncio
 import os
 import signal
+import sys
 from dataclasses import replace
 from pathlib import Path
 
@@ -196,3 +197,13 @@ def test_a_tuned_vehicle_is_foreseen_as_it_is_tuned() -> None:
     assert same.parameters == plan_of(request).parameters
     other = plan_of(request, bumpless.load_vehicle("remus100"), tuned.SerializeToString())
     assert not other.tuned and other.parameters == plan_of(request).parameters
+
+
+async def test_workers_that_never_come_up_are_given_up(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Protects: where no process comes up, a planner is told so and does not wait for ever."""
+    monkeypatch.setattr("bumpless_server.foresight.foresight.COMMAND", (sys.executable, "-c", "pass"))
+    broken = Foresight(workers=2)
+    async with joined(broken)() as planner:
+        planner.ask(1, DOCKING)
+        assert (await planner.until_end(1))[-1]["kind"] == "failed"
+    await broken.stop()
