@@ -110,7 +110,7 @@ def measured(page: Page, server: ContractServer, options: argparse.Namespace) ->
 
 def main() -> None:
     """Measure and print."""
-    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser = argparse.ArgumentParser(description=(__doc__ or "").split("\n")[0])
     parser.add_argument("--seconds", type=float, default=30.0)
     parser.add_argument("--minutes", type=float, default=30.0)
     parser.add_argument("--faster", type=float, default=10.0)

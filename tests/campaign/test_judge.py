@@ -68,6 +68,7 @@ def test_a_row_holds_the_figures_of_the_run(judged: tuple[str, Row, Run]) -> Non
     _, row, run = judged
     said = figures(run.metrics, run.outcome)
     np.testing.assert_array_equal([row[name] for name in NUMBERS], [said[name] for name in NUMBERS])
+    assert run.outcome.true_errors is not None
     assert row["end_range_m"] == run.outcome.true_errors.position_m
     assert row["duration_s"] == run.metrics.duration_s
     assert row["energy_j"] == run.metrics.shaft_energy_j

@@ -8,6 +8,7 @@ import pytest
 from playwright.sync_api import Page, expect
 
 import bumpless
+from bumpless.contract import bumpless_pb2 as pb
 from bumpless_server.settings import Settings
 from tests.server.serving import Running, free_port, serving
 
@@ -104,7 +105,7 @@ def test_events_are_those_up_to_the_moment(replayed: Page, flown: bumpless.Run) 
     """Protects from knowing what has not happened yet."""
 
     switches = [
-        event for topic, event in flown.messages() if topic == "event" and event.code == "mode_switch"
+        event for _, event in flown.messages() if isinstance(event, pb.Event) and event.code == "mode_switch"
     ]
     rows = (
         replayed.get_by_role("log")

@@ -49,7 +49,9 @@ PHASES = {
     "drifting": Phase(at_rest(31.0, ABORTED), "Aborted", "–", after="Actuators stopped: drifting"),
 }
 FAULTS = ("none", "no recording", "late", "link lost", "server lost")
-LINKS = dict(zip(FAULTS, ("Live", "Live", "Telemetry late", "Link lost", "Server lost"), strict=True))
+LINKS: dict[str, str] = dict(
+    zip(FAULTS, ("Live", "Live", "Telemetry late", "Link lost", "Server lost"), strict=True)
+)
 
 SNAPSHOT = """() => {
     const text = e => e ? e.textContent.trim() : null;

@@ -2,6 +2,7 @@
 
 import subprocess
 import sys
+from typing import Any
 
 from numba.core.compiler import Flags
 
@@ -22,7 +23,8 @@ def test_a_first_cycle_loads_no_linear_algebra() -> None:
 
 def test_flags_are_equal_by_effect_and_found_again() -> None:
     """Protects Numba's look-up of overloads: flags set to the default, set alike, set otherwise."""
-    left, right = Flags(), Flags()
+    left: Any = Flags()
+    right: Any = Flags()
     right.nrt = Flags.options["nrt"].default
     assert left == right and hash(left) == hash(right)
     left.nrt = right.nrt = True

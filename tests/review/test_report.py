@@ -9,6 +9,7 @@ import pytest
 from playwright.sync_api import Browser
 
 import bumpless
+from bumpless.contract import bumpless_pb2 as pb
 from bumpless.review.compared_report import comparison_report
 from bumpless.review.report import report_of
 from bumpless.review.scene3d import script
@@ -61,7 +62,7 @@ def test_it_says_how_the_run_ended_and_by_which_figures(text: str, run: tuple[Pa
 
 def test_every_switch_is_explained(text: str, run: tuple[Path, bumpless.Run]) -> None:
     """Protects the ledger: why, and what would have prevented it, in the vehicle's own words."""
-    told = [m for topic, m in run[1].messages() if topic == "event" and m.code == "mode_switch"]
+    told = [m for _, m in run[1].messages() if isinstance(m, pb.Event) and m.code == "mode_switch"]
     assert told
     for event in told:
         assert event.details["unless"] in text

@@ -63,7 +63,6 @@ def _kinds(folder: Path, draw: random.Random) -> list[Callable[[], Callable[[], 
 
 def _apart(read: Callable[[], object]) -> tuple[int, float, float]:
     """How it ended, CPU time in s and memory in MB, in a process of its own."""
-    before = resource.getrusage(resource.RUSAGE_CHILDREN)
     child = os.fork()
     if child == 0:
         how = TRACEBACK
@@ -79,6 +78,5 @@ def _apart(read: Callable[[], object]) -> tuple[int, float, float]:
             os.write(1, b"")
             os._exit(how)
     _, status, used = os.wait4(child, 0)
-    del before
     how = os.waitstatus_to_exitcode(status)
     return how, used.ru_utime + used.ru_stime, used.ru_maxrss / 1024.0

@@ -39,7 +39,7 @@ def write_run(folder: Path, name: str, started_ns: int, state: str = "complete")
     status = pb.MissionStatus(stamp=stamp, run_id=name, mission_name="docking", elapsed_s=1.5)
     log = RunWriter(path, status)
     log.write("tlm/health", "bumpless.Health", pb.Health(cycles=1).SerializeToString(), 1)
-    ended = Outcome(Ending.HELD, "in hover.", "true", "H")
+    ended = Outcome(Ending.HELD, "in hover.", "held", "true", "H")
     log.finish(state, "done", figures=(pb.Metrics(cycles=3), ended))
     return path
 
