@@ -1,7 +1,7 @@
 // Who holds control, who asks for it, and what this browser can do about it.
 import { useSignal } from "@preact/signals";
 import { dateTime } from "../lib/format";
-import { RefusalNotice } from "../ui/refusal";
+import { RefusalIn } from "../ui/refusal";
 import {
   asked,
   askForControl,
@@ -56,15 +56,7 @@ export function ControlPanel() {
           ))}
         </ul>
       )}
-      {controlRefused.value && (
-        <RefusalNotice
-          title="Control stays as it is."
-          refusal={controlRefused.value}
-          onClose={() => {
-            controlRefused.value = undefined;
-          }}
-        />
-      )}
+      <RefusalIn title="Control stays as it is." of={controlRefused} />
     </div>
   );
 }

@@ -8,7 +8,7 @@ import { history } from "../stream/history";
 import { shownFlying } from "../stream/screen";
 import { Canvas } from "../ui/canvas";
 import { Empty, Panel } from "../ui/panel";
-import { RefusalNotice } from "../ui/refusal";
+import { RefusalIn } from "../ui/refusal";
 import "../ui/table.css";
 import { draft } from "../weights/draft";
 import { jsonOfFlat } from "../weights/flat";
@@ -96,15 +96,7 @@ export function AheadPanel() {
         </>
       }
     >
-      {refused.value && (
-        <RefusalNotice
-          title="Not flown."
-          refusal={refused.value}
-          onClose={() => {
-            refused.value = undefined;
-          }}
-        />
-      )}
+      <RefusalIn title="Not flown." of={refused} />
       {!answer && (
         <Empty>
           {shownFlying.value

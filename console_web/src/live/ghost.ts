@@ -3,14 +3,10 @@
 import { signal } from "@preact/signals";
 import { wrapDegrees } from "../stream/history";
 import { screen } from "../stream/screen";
+import type { Flown } from "./ghost_sources";
 
-export interface Ghost {
-  /** "Forecast", or the run's id. */
-  name: string;
-  /** Mission time of each row, s, ascending. */
-  time: number[];
-  columns: Record<string, (number | null)[]>;
-}
+/** A line of another flight under the name that was chosen: FORECAST, or the run's id. */
+export type Ghost = Flown & { name: string };
 
 export const FORECAST = "forecast";
 export const ghost = signal<Ghost | undefined>(undefined);
@@ -29,7 +25,7 @@ export async function haunt(choice: string): Promise<void> {
   try {
     const { earlierRun, forecast } = await import("./ghost_sources");
     const found = await (choice === FORECAST ? forecast() : earlierRun(choice));
-    if (mine === turn) ghost.value = found;
+    if (mine === turn) ghost.value = { name: choice, ...found };
   } catch (error) {
     if (mine === turn) trouble.value = error instanceof Error ? error.message : "not available";
   }

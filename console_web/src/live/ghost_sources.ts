@@ -3,21 +3,26 @@
 import { rowsOfRun } from "../compare/compared";
 import { Foresight } from "../planner/fly/foresight";
 import { screen } from "../stream/screen";
-import { FORECAST, type Ghost } from "./ghost";
 
-export async function earlierRun(id: string): Promise<Ghost> {
+export interface Flown {
+  /** Mission time of each row, s, ascending. */
+  time: number[];
+  columns: Record<string, (number | null)[]>;
+}
+
+export async function earlierRun(id: string): Promise<Flown> {
   const rows = (await rowsOfRun(id)).filter(({ inForce }) => inForce);
   if (!rows.length) throw new Error("this run cannot be replayed");
   const names = [...new Set(rows.flatMap(({ row }) => Object.keys(row)))];
   const columns = Object.fromEntries(names.map((name) => [name, rows.map(({ row }) => row[name] ?? null)]));
-  return { name: id, time: rows.map(({ missionTime }) => missionTime), columns };
+  return { time: rows.map(({ missionTime }) => missionTime), columns };
 }
 
-export function forecast(): Promise<Ghost> {
+export function forecast(): Promise<Flown> {
   const text = screen.latest("tlm/plan")?.missionYaml;
   if (!text) return Promise.reject(new Error("the vehicle has told no mission"));
   const asked = new Foresight();
-  return new Promise<Ghost>((found, lost) => {
+  return new Promise<Flown>((found, lost) => {
     const stop = asked.shown.subscribe((told) => {
       if (!told) return;
       const track = told.nominal?.track;
@@ -28,7 +33,6 @@ export function forecast(): Promise<Ghost> {
       });
       if (!track) return lost(new Error(told.reason || "the mission cannot be flown ahead"));
       found({
-        name: FORECAST,
         time: track.t_s,
         columns: {
           depth: track.depth_m,

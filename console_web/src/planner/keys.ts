@@ -4,6 +4,7 @@ import { closeOutline, drawn } from "./map/outline";
 import { grid, measured, TOOLS, tool } from "./map/tools";
 import { panned, zoomed } from "./map/viewport";
 import { short } from "./model/document";
+import { EVENTS } from "./model/event_kinds";
 import { along, type Ned, wrapped } from "./model/geometry";
 import { save } from "./model/library";
 import {
@@ -21,16 +22,7 @@ import {
   waveEdits,
 } from "./model/operations";
 import { edit, letGo, mission, redo, selected, undo } from "./model/plan";
-import {
-  cornerOf,
-  cornersOf,
-  cornerThing,
-  EVENTS,
-  legOf,
-  outlineAt,
-  outlines,
-  outlineThing,
-} from "./model/things";
+import { cornerOf, cornersOf, cornerThing, legOf, outlineAt, outlines, outlineThing } from "./model/things";
 
 export const KEYS: readonly (readonly [keys: string, what: string])[] = [
   ["N, P", "select the next or previous thing: start, waypoints, dock, zones, faults, sea"],

@@ -4,7 +4,7 @@ import { ask } from "../api/client";
 import type { Refusal } from "../api/http";
 import { runs } from "../api/resources";
 import type { RunSummary } from "../api/types";
-import { RefusalNotice } from "../ui/refusal";
+import { RefusalIn } from "../ui/refusal";
 
 export function WordsForm({ run }: { run: RunSummary }) {
   const title = useSignal(run.title);
@@ -69,15 +69,7 @@ export function WordsForm({ run }: { run: RunSummary }) {
       <button type="submit" class="action small" disabled={!changed}>
         Save
       </button>
-      {refusal.value && (
-        <RefusalNotice
-          title="Not saved."
-          refusal={refusal.value}
-          onClose={() => {
-            refusal.value = undefined;
-          }}
-        />
-      )}
+      <RefusalIn title="Not saved." of={refusal} />
     </form>
   );
 }

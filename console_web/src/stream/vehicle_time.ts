@@ -8,6 +8,6 @@ const SAME_S = 0.5;
 export function whenMs(event: Event, offsetS: number): number | undefined {
   if (!event.stamp?.timeNs) return undefined;
   const said = Number(event.stamp.timeNs / 1_000_000n);
-  const byVehicle = event.details["source"] !== "server" && Math.abs(offsetS) >= SAME_S;
+  const byVehicle = event.details.source !== "server" && Math.abs(offsetS) >= SAME_S;
   return byVehicle ? said - offsetS * 1000 : said;
 }

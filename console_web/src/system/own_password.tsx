@@ -3,7 +3,7 @@ import { useSignal } from "@preact/signals";
 import { ask } from "../api/client";
 import type { Refusal } from "../api/http";
 import { Panel } from "../ui/panel";
-import { RefusalNotice } from "../ui/refusal";
+import { RefusalIn } from "../ui/refusal";
 
 async function logOut(): Promise<void> {
   await ask("post", "/api/logout");
@@ -70,15 +70,7 @@ export function OwnPassword() {
           Change it
         </button>
         {done.value && <p role="status">Changed. Your other sessions are over.</p>}
-        {refusal.value && (
-          <RefusalNotice
-            title="Not changed."
-            refusal={refusal.value}
-            onClose={() => {
-              refusal.value = undefined;
-            }}
-          />
-        )}
+        <RefusalIn title="Not changed." of={refusal} />
       </form>
     </Panel>
   );

@@ -6,7 +6,7 @@ import { me } from "../api/resources";
 import { dateTime } from "../lib/format";
 import { DeleteButton } from "../ui/delete_button";
 import { Empty, Panel } from "../ui/panel";
-import { RefusalNotice } from "../ui/refusal";
+import { RefusalIn } from "../ui/refusal";
 import { refreshPeople, tokens } from "./resources";
 import { type Role, RoleField } from "./roles";
 
@@ -119,15 +119,7 @@ function NewToken() {
           Copy it now, it is not shown again: <code class="code secret">{secret.value}</code>
         </p>
       )}
-      {refusal.value && (
-        <RefusalNotice
-          title="Not made."
-          refusal={refusal.value}
-          onClose={() => {
-            refusal.value = undefined;
-          }}
-        />
-      )}
+      <RefusalIn title="Not made." of={refusal} />
     </form>
   );
 }

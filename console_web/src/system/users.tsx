@@ -6,7 +6,7 @@ import { me } from "../api/resources";
 import { dateTime } from "../lib/format";
 import { DeleteButton } from "../ui/delete_button";
 import { Empty, Panel } from "../ui/panel";
-import { RefusalNotice } from "../ui/refusal";
+import { RefusalIn } from "../ui/refusal";
 import { refreshPeople, users } from "./resources";
 import { type Role, RoleField } from "./roles";
 
@@ -74,15 +74,7 @@ export function Users() {
           </tbody>
         </table>
       )}
-      {refusal.value && (
-        <RefusalNotice
-          title="Not changed."
-          refusal={refusal.value}
-          onClose={() => {
-            refusal.value = undefined;
-          }}
-        />
-      )}
+      <RefusalIn title="Not changed." of={refusal} />
       <NewUser first={list?.length === 0} />
     </Panel>
   );
@@ -160,15 +152,7 @@ function NewUser({ first }: { first: boolean }) {
       <button type="submit" class="action">
         Make the account
       </button>
-      {refusal.value && (
-        <RefusalNotice
-          title="Not made."
-          refusal={refusal.value}
-          onClose={() => {
-            refusal.value = undefined;
-          }}
-        />
-      )}
+      <RefusalIn title="Not made." of={refusal} />
     </form>
   );
 }

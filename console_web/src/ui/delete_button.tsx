@@ -3,7 +3,7 @@ import { useSignal } from "@preact/signals";
 import type { Answer, Refusal } from "../api/http";
 import { HoldButton } from "./hold_button";
 import { TrashIcon } from "./icons";
-import { RefusalNotice } from "./refusal";
+import { RefusalIn } from "./refusal";
 
 interface Props {
   name: string;
@@ -34,15 +34,7 @@ export function DeleteButton({ name, holdMs, disabled, title, remove, after }: P
       >
         <TrashIcon /> Hold to delete
       </HoldButton>
-      {refusal.value && (
-        <RefusalNotice
-          title="Not deleted."
-          refusal={refusal.value}
-          onClose={() => {
-            refusal.value = undefined;
-          }}
-        />
-      )}
+      <RefusalIn title="Not deleted." of={refusal} />
     </>
   );
 }

@@ -1,4 +1,5 @@
 // A refusal as it came: the reason in one sentence, then each problem with its place and rule.
+import type { Signal } from "@preact/signals";
 import type { Refusal } from "../api/http";
 import type { Problem } from "../api/types";
 import { AlarmIcon, CrossIcon } from "./icons";
@@ -26,6 +27,15 @@ export function RefusalNotice({
       )}
     </div>
   );
+}
+
+/** The refusal that a signal holds, until it is dismissed. */
+export function RefusalIn({ title, of }: { title: string; of: Signal<Refusal | undefined> }) {
+  if (!of.value) return null;
+  const dismiss = (): void => {
+    of.value = undefined;
+  };
+  return <RefusalNotice title={title} refusal={of.value} onClose={dismiss} />;
 }
 
 export function ProblemTable({ problems }: { problems: Problem[] }) {

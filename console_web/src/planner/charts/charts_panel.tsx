@@ -3,7 +3,7 @@ import { useSignal } from "@preact/signals";
 import { useRef } from "preact/hooks";
 import { bytes } from "../../lib/format";
 import { TrashIcon } from "../../ui/icons";
-import { RefusalNotice } from "../../ui/refusal";
+import { RefusalIn } from "../../ui/refusal";
 import { originOf } from "../model/earth";
 import { edit, mission } from "../model/plan";
 import {
@@ -31,15 +31,7 @@ export function ChartsPanel() {
   return (
     <div class="form">
       <h3 class="form-title">Charts beneath the plan</h3>
-      {chartTrouble.value && (
-        <RefusalNotice
-          title="That chart was not kept."
-          refusal={chartTrouble.value}
-          onClose={() => {
-            chartTrouble.value = undefined;
-          }}
-        />
-      )}
+      <RefusalIn title="That chart was not kept." of={chartTrouble} />
       {charts.refusal && <p class="lost">The charts can't be read: {charts.refusal.reason}</p>}
       {list.length === 0 && !charts.refusal && (
         <p class="hint">

@@ -1,11 +1,12 @@
 // A finding's change of the document, made with one press.
 import { fitSoon } from "../map/camera";
 import { short } from "../model/document";
+import { EVENTS } from "../model/event_kinds";
 import type { Ned } from "../model/geometry";
 import { dockEdits, moveEdits } from "../model/operations";
 import { pathOf } from "../model/paths";
 import { edit, mission } from "../model/plan";
-import { EVENT_PATHS, EVENTS } from "../model/things";
+import { EVENT_PATHS } from "../model/things";
 import type { Mend } from "./foresight";
 
 function place(value: Mend["value"]): Ned | undefined {

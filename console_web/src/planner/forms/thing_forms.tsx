@@ -1,11 +1,11 @@
 // Forms of what is neither way nor dock: zones, the boundary, waves, faults and outages.
+import type { EventKind } from "../model/event_kinds";
 import { selected } from "../model/plan";
 import {
   cornerOf,
   cornersPath,
   cornerThing,
   EVENT_PATHS,
-  type EventKind,
   outlineThing,
   type Thing,
   type Which,

@@ -6,7 +6,7 @@ import { clock } from "../../lib/format";
 import { go } from "../../shell/address";
 import { foreign, present } from "../../stream/present";
 import { fromTemplate, name, trouble } from "../model/library";
-import type { Entry } from "./library_panel";
+import type { Entry } from "./entries";
 
 const LONGEST_TAG = 40;
 

@@ -1,9 +1,10 @@
 // Faults of actuators and outages of sensors: what fails, from when to when, as edits of the document.
 import { type Document, isMap, isSeq, type YAMLSeq } from "yaml";
 import { type Edit, put, short, styled } from "./document";
+import { EVENTS, type EventKind } from "./event_kinds";
 import type { MissionView } from "./mission";
 import { edit, mission, reshape, selected } from "./plan";
-import { EVENT_PATHS, EVENTS, type EventKind, eventOf, type Thing } from "./things";
+import { EVENT_PATHS, eventOf, type Thing } from "./things";
 
 const LASTS_S = 10; // a new outage
 

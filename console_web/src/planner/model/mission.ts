@@ -1,6 +1,7 @@
 // What views need of a mission, read leniently: half-written text must not blank the screen.
+
+import type { EventKind } from "./event_kinds";
 import { bearing, type Ned, turn, wrapped } from "./geometry";
-import type { EventKind } from "./things";
 
 /** Slower water has no direction worth turning into. */
 const STILL_MPS = 0.01;

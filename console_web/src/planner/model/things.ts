@@ -1,13 +1,12 @@
 // What can be selected, by name: "start", "leg:2", "dock", "current", "wave", "zone:0", "fence" (the keep-in
 // boundary), "corner:0.3" and "corner:in.3", "fault:0", "outage:0" (of sight), "dvl:0" (of the Doppler log).
+import { EVENTS, type EventKind } from "./event_kinds";
 import type { MissionView, Outline } from "./mission";
 import type { Path } from "./paths";
 
 export type Thing = string;
 /** An outline: a keep-out zone by its place in the list, or the keep-in boundary. */
 export type Which = number | "in";
-export const EVENTS = ["fault", "outage", "dvl"] as const;
-export type EventKind = (typeof EVENTS)[number];
 
 /** Index of a leg's thing. */
 export function legOf(thing: Thing): number | undefined {

@@ -1,11 +1,11 @@
 // One fault or outage as a bar: dragged as a whole or by an end, moved by the arrow keys.
 import { useRef } from "preact/hooks";
+import type { EventKind } from "../model/event_kinds";
 import { type Edge, eventEdits, nudgeEvent } from "../model/events";
 import { snapped } from "../model/geometry";
 import type { PlanEvent } from "../model/mission";
 import { deleteSelected } from "../model/operations";
 import { drag, drop, letGo, selected } from "../model/plan";
-import type { EventKind } from "../model/things";
 import { lasts, share } from "./scale";
 
 const STEP_S = 0.5;

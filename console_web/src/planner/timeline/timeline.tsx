@@ -2,11 +2,12 @@
 import { fixed } from "../../lib/format";
 import { plan } from "../fly/forecast";
 import { vehicle } from "../map/figures";
+import { EVENTS, type EventKind } from "../model/event_kinds";
 import { addEvent } from "../model/events";
 import { niceStep } from "../model/geometry";
 import type { PlanEvent } from "../model/mission";
 import { edit, mission } from "../model/plan";
-import { EVENT_PATHS, EVENTS, type EventKind } from "../model/things";
+import { EVENT_PATHS } from "../model/things";
 import { Bar } from "./bar";
 import { lasts, share } from "./scale";
 import "./timeline.css";
