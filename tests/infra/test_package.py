@@ -1,5 +1,6 @@
 """What is installed must be complete: data files, missions and the built console inside the wheel."""
 
+import fcntl
 import os
 import shutil
 import subprocess
@@ -97,6 +98,28 @@ def test_console_is_built_only_when_its_sources_changed(
     (console / "src" / "main.ts").write_text("let x = 2;")
     with pytest.raises(NpmWasCalled):
         hatch_build.build_console(console.parent)
+
+
+def test_npm_packages_are_installed_by_one_process_at_a_time(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """`make check` runs its checks side by side; two `npm ci` in one folder delete each other's files."""
+    lock = tmp_path / "package-lock.json"
+    lock.write_text("{}")
+    installed = []
+
+    def npm(folder: Path, *arguments: str) -> None:
+        with lock.open() as another, pytest.raises(BlockingIOError):
+            fcntl.flock(another, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        (folder / "node_modules").mkdir()
+        installed.append(folder)
+
+    monkeypatch.setattr(hatch_build, "run_npm", npm)
+    hatch_build.install_modules(tmp_path)
+    hatch_build.install_modules(tmp_path)  # whoever waited finds all in place
+    assert installed == [tmp_path]
+    with lock.open() as another:
+        fcntl.flock(another, fcntl.LOCK_EX | fcntl.LOCK_NB)
 
 
 def test_a_source_package_with_the_built_console_needs_no_sources(console: Path) -> None:
