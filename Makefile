@@ -67,7 +67,7 @@ check-figures: $(DONE)/dev $(DONE)/project
 	@$(PY) -m tests.bench.render --check
 
 # made anew beside the tree, which the other checks are reading at the same time
-check-gen: $(DONE)/dev
+check-gen: $(DONE)/dev $(DONE)/project
 	@$(MAKE) --no-print-directory gen-code GEN=build/gen && for file in $(GENERATED); do \
 		cmp "$$file" "build/gen/$$file" || { echo "$$file is out of date: run make gen and commit it." >&2; exit 1; }; done
 
@@ -90,7 +90,7 @@ gen: $(DONE)/dev $(DONE)/project gen-code  ## generate the contract's code, the 
 GEN ?= .
 GEN_PY = $(GEN)/twin/bumpless/contract
 GEN_TS = $(GEN)/console_web/src/gen
-gen-code: $(DONE)/dev
+gen-code: $(DONE)/dev $(DONE)/project
 	@mkdir -p $(GEN_PY) $(GEN_TS)
 	$(PY) -m grpc_tools.protoc -I twin/bumpless/contract --python_out=$(GEN_PY) --pyi_out=$(GEN_PY) bumpless.proto
 	PYTHON=$(CURDIR)/$(PY) $(NPM) console_web run gen --silent -- $(CURDIR)/$(GEN_TS)
