@@ -102,7 +102,9 @@ def test_the_headings_that_hold_lie_about_the_current(ts100, docking) -> None:
     station = station_keeping(ts100, default_parameters(ts100), (0.0, 0.12, 0.0), docking.target)
     may, sure = (station.heading_deg[station.zone >= zone] for zone in (WARN, ACCEPT))
     assert station.chosen.zone == REFUSE and station.chosen.margin_mps < 0.0
-    assert 250.0 < may.min() < sure.min() < 270.0 < sure.max() < may.max() < 290.0
+    astern, ahead = may[may < 180.0], may[may > 180.0]
+    assert 250.0 < ahead.min() < sure.min() < 270.0 < sure.max() < ahead.max() < 290.0
+    assert 75.0 < astern.min() < 90.0 < astern.max() < 105.0  # stern to the current it may, but not surely
     assert station.nearest_deg == sure.max()
 
 

@@ -117,3 +117,7 @@ def test_hover_in_still_water_is_not_declared_stable() -> None:
     assert still.certificate is None
     assert still.radius["H"] > 1.0 - 1e-6
     assert "does not contract" in dwell_warning(still)
+    # an estimate of drift that is frozen is no mode of motion: F and R steer, and it is the place across in H
+    # that nothing holds
+    assert max(still.radius["F"], still.radius["R"]) < 1.0 - 1e-5
+    assert "mode H" in dwell_warning(still) and "drift" not in dwell_warning(still)

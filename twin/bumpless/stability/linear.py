@@ -1,7 +1,8 @@
 """Finite differences of the compiled cycle, in the coordinates that have memory.
 
-The path law's slow estimate of drift is taken as constant: in H it is frozen, so no mode-wise function
-could contract it there.
+The slow estimates of drift, the path law's and the approach line's, are taken as constant. Each is learnt
+in some modes, or with flow over the fins, and frozen else. What is frozen is a parameter and no mode of
+motion: no mode-wise function could contract it, and its 1.00000 would hide what the hull does.
 """
 
 from collections.abc import Iterator
@@ -26,6 +27,7 @@ _NOT_STATE = {
     "navigation.target_variance",
     "navigation.doubt",
     "guidance.b",
+    "docking.drift",
     "switching.ramp_length",
     "switching.kappa",
     "estimator",

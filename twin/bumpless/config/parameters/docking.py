@@ -108,7 +108,7 @@ class DockingParameters:
     # between the two lies a warning
     side_still_mps: Annotated[float, pace("Most current across that is borne at rest", "side_still")] = 0.022
     side_share: Annotated[float, share("And per m/s of head current", "side_share")] = 0.15
-    following_mps: Annotated[float, pace("Most current from astern that is borne", "following")] = 0.1
+    following_mps: Annotated[float, pace("Most current from astern that is borne", "following")] = 0.16
     sure_side_still_mps: Annotated[
         float, pace("Current across that is surely borne at rest", "", "Asked by the mission's check only.")
     ] = 0.006
@@ -192,6 +192,11 @@ class DockingParameters:
     pitch_flow_high_mps: Annotated[float, pace("Flow where it holds it alone", "pitch_flow_high")] = 0.4
     pitch_integral: Annotated[float, share("Heave integration that pitch takes away", "pitch_integral")] = 0.3
     pitch_lead_s: Annotated[float, spell("Lead of depth rate", "pitch_lead")] = 1.5
+    pitch_look_slow: Annotated[
+        float,
+        Number("Share of the pitch look-ahead left without flow", "", 0.05, 1.0, record="pitch_look_slow",
+               help="Grows to 1 at the speed of full gains: a slow hull needs steeper pitch."),
+    ] = 0.3  # fmt: skip
     pitch_feed: Annotated[
         float, share("Slope of a leg fed forward", "pitch_feed", "By pitch; a step of depth is not.")
     ] = 1.0

@@ -6,7 +6,7 @@ That inverse is damped, u_r v / (u_r^2 + u_0^2): it fades at rest and turns roun
 astern.
 """
 
-from math import asin, cos, sin, sqrt
+from math import asin, copysign, cos, sin, sqrt
 
 from bumpless.contract.enums import APPROACH, BACK, FORWARD, HOVER
 from bumpless.control.docking.heading import along_across, weathervane
@@ -43,11 +43,15 @@ def approach_speed(settings, left):
 
 
 @jit
-def aim_aside(settings, along, across):
-    """Offset of the aim upstream, m, so that a drift that can't be made good at rest crosses the middle."""
-    left = max(abs(across) - _BORNE * max(-along, 0.0) - _STILL, 0.0)
+def aim_aside(settings, along, across, tilt):
+    """Offset of the aim upstream, m, so that a drift that can't be made good at rest crosses the middle.
+
+    across: of current and learnt drift, of which a little is noise; tilt: drift by the hull's roll, m/s.
+    """
+    drift = tilt + copysign(max(abs(across) - _STILL, 0.0), across)
+    left = max(abs(drift) - _BORNE * max(-along, 0.0), 0.0)
     left = min(left * settings.aim_time, settings.aim_most)
-    return -left if across > 0.0 else left
+    return -left if drift > 0.0 else left
 
 
 @jit
@@ -78,13 +82,14 @@ def line_heading(dt, settings, current, u_r, learn, free, view, docking):
 def steer(dt, settings, current, u_r, learn, most, view, docking):
     """The same within a heading correction whose sine is `most`."""
     along, across = along_across(current, docking.heading)
-    y = view.aside - aim_aside(settings, along, across + docking.drift)
+    y = view.aside - aim_aside(settings, along, across + docking.drift, docking.tilt)
     delta = settings.look_ahead + settings.look_ahead_slope * abs(u_r)
     wanted = -abs(u_r) * y / sqrt(delta * delta + y * y)
     if learn and abs(y) < _LEARN_WITHIN:
         docking.drift += dt * settings.lateral_integral * abs(u_r) * y
         docking.drift = min(max(docking.drift, -_DRIFT_MOST), _DRIFT_MOST)
-    rate = wanted - across - docking.drift - settings.lateral_damping * (docking.lateral_rate - wanted)
+    drift = across + docking.drift + docking.tilt
+    rate = wanted - drift - settings.lateral_damping * (docking.lateral_rate - wanted)
     sine = rate * u_r / (u_r * u_r + settings.flow_floor * settings.flow_floor)
     return wrap(docking.heading + asin(min(max(sine, -most), most)))
 

@@ -26,6 +26,7 @@ DOCKING_STATE = np.dtype(
         ("still", i8),  # cycles in a row in place at the observation point, before a dock to enter
         ("back_to", f8),  # distance before the observation point where a way back ends, m
         ("drift", f8),  # sideways drift learnt beside the estimated current, m/s
+        ("tilt", f8),  # sideways drift of a hull that rolls while its verticals push, smoothed, m/s
         ("lateral_rate", f8),  # speed over ground across the approach line, to starboard, smoothed, m/s
         ("surge_lag", f8),  # by how much speed stays behind its reference, smoothed, m/s
         ("u_dot", f8),  # of the speed reference, m/s^2

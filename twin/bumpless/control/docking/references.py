@@ -36,11 +36,19 @@ def smooth_step(x):
 
 
 @jit
+def look_ahead(settings, guidance, u_r):
+    """Delta of depth by pitch, m: shorter where the hull is slow, or the same slope would take longer."""
+    slow = settings.pitch_look_slow
+    way = min(max(u_r / max(guidance.schedule_speed, 1e-3), 0.0), 1.0)
+    return guidance.pitch_look_ahead * (slow + (1.0 - slow) * way)
+
+
+@jit
 def pitch_reference(settings, guidance, depth, z_d, e_dot_z, u_r, docking):
     """theta_d by line of sight in depth, rad; fills docking.pitch_share, what pitch has of depth.
 
     theta_d = share atan((z - z_d + T z') / Delta), z' the smoothed depth rate, from the PID's e'_z = -z',
-    m/s. guidance: GUIDANCE_SETTINGS, its pitch_look_ahead Delta and pitch_max; u_r: speed through water, m/s.
+    m/s. guidance: GUIDANCE_SETTINGS, its pitch_look_ahead and pitch_max; u_r: speed through water, m/s.
     """
     low, high = settings.pitch_flow_low, settings.pitch_flow_high
     docking.pitch_share = smooth_step((u_r - low) / max(high - low, 1e-6))
@@ -50,7 +58,8 @@ def pitch_reference(settings, guidance, depth, z_d, e_dot_z, u_r, docking):
     fed = settings.pitch_feed * docking.leg_climb if docking.stage == TRANSIT else 0.0
     z_e = depth - z_d - settings.pitch_lead * (e_dot_z + fed)
     slope = fed / max(u_r, max(low, 1e-3))
-    wanted = atan(z_e / guidance.pitch_look_ahead) - asin(min(max(slope, -_CLIMB_MOST), _CLIMB_MOST))
+    climb = asin(min(max(slope, -_CLIMB_MOST), _CLIMB_MOST))
+    wanted = atan(z_e / look_ahead(settings, guidance, u_r)) - climb
     return docking.pitch_share * min(max(wanted, -guidance.pitch_max), guidance.pitch_max)
 
 

@@ -15,7 +15,7 @@ from bumpless.control.docking.references import (
     smooth_lateral,
 )
 from bumpless.control.docking.stages import next_stage, see_line
-from bumpless.control.docking.trim import note_schedule, trim_gains
+from bumpless.control.docking.trim import note_schedule, note_tilt, trim_gains
 from bumpless.control.docking.waveoff import give_up
 from bumpless.control.guidance.guide import guide
 from bumpless.jit import jit
@@ -90,4 +90,5 @@ def trim_docking(settings, model, schedule, s, view, gains):
     note_schedule(schedule, view, s.docking)
     note_lag(settings.dt, reference[0], navigation.nu[0], s.docking)
     errors, z_force = s.pid.smooth, s.switching.now.tau_d[2]
+    note_tilt(settings.dt, model, navigation.eta[3], z_force, navigation.smooth_nu_r[0], s.docking)
     trim_gains(settings.docking, model, navigation, reference[0], errors, z_force, view, s.docking, gains)

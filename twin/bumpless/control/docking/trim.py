@@ -1,15 +1,18 @@
 """Gains and demand where pitch holds depth and thrust follows a reference. Beyond the paper."""
 
-from math import sqrt
+from math import copysign, sin, sqrt
 
 from bumpless.jit import jit
 from bumpless.physics.actuators import FIN
 from bumpless.physics.actuators.fin import wrench
+from bumpless.physics.lag import lag
 
 _TURNING = 0.1  # rad of heading error above which nothing is learnt of the yaw trim
 _DIVING = 0.08  # m of depth error above which pitch is on its way there and nothing is learnt of the load
 _FULL = 0.95  # share of the limit in heave at which the verticals are at their end
 _LEAST_SHARE = 1e-3  # of the schedule
+_T_TILT = 3.0  # s
+_LEAST_DRAG = 1e-6  # N s^2/m^2
 _HEAVE_LEFT = 0.05  # share of heave's weight that stays where pitch has depth
 
 
@@ -53,6 +56,22 @@ def trim_gains(settings, model, navigation, u_d, errors, z_force, view, docking,
         gains.K_I[5] = 0.0
     nu_c = navigation.nu[0] - navigation.smooth_nu_r[0]
     gains.ahead[0] = surge_feed(settings, model, u_d, docking.u_dot, nu_c)
+
+
+@jit
+def note_tilt(dt, model, phi, z_force, u_r, docking):
+    """Smooth docking.tilt: a hull that rolls by phi, rad, turns the verticals' z_force, N, aside, and drifts
+    until its drag across is as large.
+
+    (Y_v + Y_uv |u_r|) v + Y_vv v^2 = -Z sin phi. Nothing to a vehicle that pushes sideways itself.
+    """
+    if model.controllable[1] > 0.0:
+        return
+    force = -z_force * sin(phi)
+    linear = model.D_linear[1, 1] + model.D_lift[1, 1] * abs(u_r)
+    quadratic = max(model.D_quadratic[1, 1], _LEAST_DRAG)
+    drift = (sqrt(linear * linear + 4.0 * quadratic * abs(force)) - linear) / (2.0 * quadratic)
+    docking.tilt += lag(dt, _T_TILT) * (copysign(drift, force) - docking.tilt)
 
 
 @jit
