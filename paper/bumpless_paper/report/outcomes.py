@@ -64,6 +64,7 @@ def rows_of(parts: Mapping[str, Any]) -> list[Row]:
         _true_wrench(honest),
         _unknown_wrench(honest),
         _loads(said),
+        _ballast(said),
     ]
 
 
@@ -194,6 +195,14 @@ def _loads(said: Numbers | None) -> Row:
     (up, ups), (down, downs) = said["light"], said["heavy"]
     measured = f"{up} of {ups} too light, {down} of {downs} too heavy"
     return Row(figure, before, target, measured, _interval(up + down, ups + downs), "still water")
+
+
+def _ballast(said: Numbers | None) -> Row:
+    figure, before, target = "1 % of the mass moved by 5 cm", "loses hover", "docks"
+    if said is None or "shifted" not in said:
+        return Row(figure, before, target)
+    docked, flown = said["shifted"]
+    return Row(figure, before, target, f"{docked} of {flown}", _interval(docked, flown), "still water")
 
 
 def _spread(q: Numbers, unit: str) -> str:

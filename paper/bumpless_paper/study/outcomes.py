@@ -3,6 +3,8 @@
 Numbers begin at HELD_OUT: nobody tunes or looks there. Every flight is judged by the judge of all runs.
 """
 
+import argparse
+import json
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
@@ -39,7 +41,8 @@ GROUPS: dict[str, Group] = {
     "fault": Group("fault", "", 200, "an actuator loses effect"),
     "any": Group("any", "", 200, "a fault and a target lost"),
 }
-RESPONSES = {"depth_step": 20, "heading_step": 20, "start_dip": 20, "stay": 200, "light": 20, "heavy": 20}
+RESPONSES = {"depth_step": 20, "heading_step": 20, "start_dip": 20, "stay": 200}
+LOADS = {"light": 20, "heavy": 20, "shifted": 20}
 
 
 @dataclass(frozen=True)
@@ -80,11 +83,21 @@ def answer(job: tuple[str, int]) -> Any:
     return getattr(response, name)(number)
 
 
+def loads(first: int = HELD_OUT, workers: int = 1) -> dict[str, list[int]]:
+    """[docked, flown] of vehicles that are 1 N too light or too heavy, or whose ballast was moved."""
+    jobs = [(name, first + i) for name, count in LOADS.items() for i in range(count)]
+    said = in_order(jobs, answer, workers)
+    flown: dict[str, list[Any]] = {name: [] for name in LOADS}
+    for (name, _), docked in zip(jobs, said, strict=True):
+        flown[name].append(docked)
+    return {name: [sum(flown[name]), len(flown[name])] for name in LOADS}
+
+
 def measure(
     share: float = 1.0, first: int = HELD_OUT, workers: int = 1, progress: Progress = None
 ) -> dict[str, Any]:
     """All of it, plain values fit for JSON. share: of the flights of a whole report."""
-    counts = {name: group.count for name, group in GROUPS.items()} | RESPONSES
+    counts = {name: group.count for name, group in GROUPS.items()} | RESPONSES | LOADS
     jobs = [(name, first + i) for name, count in counts.items() for i in range(max(2, round(count * share)))]
     found: dict[str, list[Any]] = {}
     for (name, _), said in zip(jobs, in_order(jobs, answer, workers, progress), strict=True):
@@ -131,7 +144,7 @@ def responses(found: Mapping[str, Sequence[Any]]) -> dict[str, Any]:
         "within": _quantiles([one.within for one in stays]),
         "wander_deg": _quantiles([one.wander_deg for one in stays]),
     }
-    out |= {name: [sum(found[name]), len(found[name])] for name in ("light", "heavy")}
+    out |= {name: [sum(found[name]), len(found[name])] for name in LOADS}
     return out
 
 
@@ -159,11 +172,15 @@ def _quantiles(values: Sequence[float]) -> dict[str, float | None]:
     return asdict(Quantiles(float(np.median(known)), float(np.percentile(known, 90)), float(known.max())))
 
 
-def main(share: float = 1.0) -> None:
-    """Print what was measured."""
-    import json
-
-    print(json.dumps(measure(share, workers=2), indent=1))
+def main() -> None:
+    """Print what was measured: `python -m bumpless_paper.study.outcomes [--loads]`."""
+    parser = argparse.ArgumentParser(description=main.__doc__)
+    parser.add_argument("--share", type=float, default=1.0, help="of the flights of a whole report")
+    parser.add_argument("--first", type=int, default=HELD_OUT)
+    parser.add_argument("--loads", action="store_true", help="only too light, too heavy and moved ballast")
+    a = parser.parse_args()
+    said = loads(a.first, 2) if a.loads else measure(a.share, a.first, workers=2)
+    print(json.dumps(said, indent=1))
 
 
 if __name__ == "__main__":

@@ -15,7 +15,7 @@ from bumpless.control.docking.trim import note_tilt
 from bumpless.control.guidance.record import GUIDANCE_SETTINGS
 from bumpless.feasibility.reach import docking_settings, plain
 from bumpless.physics.model import build_model
-from bumpless_paper.study.docks.response import loaded
+from bumpless_paper.study.docks.response import loaded, shifted
 
 TS100 = load_vehicle("ts100")
 
@@ -47,7 +47,7 @@ def test_a_level_hull_and_one_that_pushes_sideways_are_not_aimed_aside() -> None
 
 
 def test_the_aim_lies_upstream_of_a_known_drift_and_passes_over_noise() -> None:
-    """Protects: 6 mm/s of estimated current are noise; of roll, a drift to come."""
+    """Protects: a little estimated current is noise, a roll is a drift to come."""
     settings = docking_settings(default_parameters(TS100).docking)
     aim = plain(aim_aside)
     assert aim(settings, 0.0, 0.006, 0.0) == 0.0
@@ -69,5 +69,11 @@ def test_a_slow_hull_looks_less_far_ahead_in_depth() -> None:
 
 @pytest.mark.parametrize(("number", "load_n"), [(620, 1.0), (665, 1.0), (681, 1.0), (666, -1.0), (683, -1.0)])
 def test_a_newton_more_or_less_docks_though_the_hull_rolls(number: int, load_n: float) -> None:
-    """Protects: drawn vehicles that roll by two degrees and drifted off the line while their screws pushed."""
+    """Protects: drawn vehicles that roll by 2 deg and drifted off the line while their screws pushed."""
     assert loaded(number, load_n)
+
+
+@pytest.mark.parametrize("number", [600, 601, 602, 603])
+def test_moved_ballast_docks(number: int) -> None:
+    """Protects: 1 % of the mass moved by 5 cm ahead or astern is carried as a trim of the hull."""
+    assert shifted(number)

@@ -30,6 +30,7 @@ def parts() -> dict[str, Any]:
         ],
         "light": [True, True],
         "heavy": [True, False],
+        "shifted": [True, True, False],
     }
     numbers = {"first": 6_000_000, "groups": groups, "responses": outcomes.responses(found)}
     honest = {
@@ -55,6 +56,7 @@ def test_shares_are_told_as_counts_with_their_interval() -> None:
     wander = rows["heading wander about the approach in such a hover"]
     assert wander.measured.startswith("0.6° RMS")  # those that were lost count too
     assert rows["1 N too light or too heavy"].measured == "2 of 2 too light, 1 of 2 too heavy"
+    assert rows["1 % of the mass moved by 5 cm"].measured == "2 of 3"
     assert rows["RMS e_τ by the true wrench, S4"].measured == "0.13; S2 0.16 (medians)"
     unknown = rows["the same where lift and thrust differ from the file"]
     assert unknown.measured == "S4 0.07 / 0.3 / 0.45; S2 0.07 / 0.3 / 0.43"

@@ -66,8 +66,8 @@ def test_every_group_is_flown_and_counted(measured: dict) -> None:
         group = measured["groups"][name]
         assert sum(group["endings"].values()) == sum(group["why"].values()) == group["flights"] == 2
     said = measured["responses"]
-    assert {"depth_step", "heading_step", "start_dip_mps", "stay", "light", "heavy"} == said.keys()
-    assert set(RESPONSES) >= {"stay", "light", "heavy"}
+    assert {"depth_step", "heading_step", "start_dip_mps", "stay", "light", "heavy", "shifted"} == said.keys()
+    assert set(RESPONSES) >= {"stay"}
     json.dumps(measured, allow_nan=False)
 
 

@@ -34,6 +34,7 @@ FAR_SIGHTED = "parameters: {guidance: {look_ahead_m: 150}}\n"  # so that heading
 PERIOD_S, BEFORE, AFTER, LAST = 0.05, 600, 800, 100  # cycles
 DEPTH_M, TURN_DEG = 0.5, 20.0
 STAY_S = 600.0
+BALLAST_SHARE, BALLAST_WAY_M = 0.01, 0.05
 OFF_BOW_RAD = math.radians(10.0)
 ABOUT_STATION = ("current_not_holdable", "current_hard_to_hold", "long_hover")  # findings
 
@@ -126,6 +127,15 @@ def loaded(number: int, load_n: float) -> bool:
     """Whether a vehicle so much too light (N) docks in still water; its screws push as the file says."""
     case = draw_case(number, "still")
     case = replace(case, plant=replace(case.plant, net_buoyancy=load_n, thrust=1.0))
+    return judge(case, fly_case(case)).outcome == "docked"
+
+
+def shifted(number: int) -> bool:
+    """Whether a vehicle docks in still water with 1 % of its mass moved by 5 cm, ahead on even draws, else
+    astern: that moves the centre of gravity by 0.5 mm and pitches the hull by 2.9 deg."""
+    case, ahead = draw_case(number, "still"), -1.0 if number % 2 else 1.0
+    trim = -ahead * BALLAST_SHARE * BALLAST_WAY_M  # the centre of buoyancy seen from the one of gravity
+    case = replace(case, plant=replace(case.plant, trim_x=trim))
     return judge(case, fly_case(case)).outcome == "docked"
 
 
