@@ -173,7 +173,6 @@ class Console:
             self._let_somebody_in()
             self.audit.open()
             self.shelf.open()
-            self.run_views.open()
             self.errands.open()
             self.revisions.open()
             self.catalogue.open()

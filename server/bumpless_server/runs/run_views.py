@@ -37,33 +37,35 @@ class RunViews:
     def __init__(self, path: Path) -> None:
         self._path = path
         self._lock = threading.Lock()
-        self._views: dict[str, RunView] = {}
+        self._views: dict[str, RunView] | None = None  # read when first asked for
 
-    def open(self) -> None:
-        """Read what was kept; what is no view is left out, with a warning."""
-        with self._lock:
+    def _known(self) -> dict[str, RunView]:
+        if self._views is None:
             self._views = _read(self._path)
+        return self._views
 
     def all(self) -> dict[str, RunView]:
         """All, by name."""
         with self._lock:
-            return dict(sorted(self._views.items(), key=lambda item: item[0].casefold()))
+            return dict(sorted(self._known().items(), key=lambda item: item[0].casefold()))
 
     def keep(self, name: str, view: RunView) -> RunView | None:
         """Keep a view, and return what it replaces. Raises TooMany."""
         with self._lock:
-            before = self._views.get(name)
-            if before is None and len(self._views) >= MOST:
+            known = self._known()
+            before = known.get(name)
+            if before is None and len(known) >= MOST:
                 raise TooMany(f"there are {MOST} views already; forget one first")
-            self._write(self._views | {name: view})
+            self._write(known | {name: view})
             return before
 
     def forget(self, name: str) -> RunView | None:
         """Forget a view, and return it; None when there is none of that name."""
         with self._lock:
-            found = self._views.get(name)
+            known = self._known()
+            found = known.get(name)
             if found is not None:
-                self._write({other: view for other, view in self._views.items() if other != name})
+                self._write({other: view for other, view in known.items() if other != name})
             return found
 
     def _write(self, views: dict[str, RunView]) -> None:
@@ -74,6 +76,7 @@ class RunViews:
 
 
 def _read(path: Path) -> dict[str, RunView]:
+    """What was kept; what is no view is left out, with a warning."""
     try:
         told = json.loads(path.read_text(encoding="utf-8"))
     except FileNotFoundError:

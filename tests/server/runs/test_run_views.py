@@ -8,9 +8,7 @@ from bumpless_server.runs.run_views import MOST, RunView, RunViews, TooMany
 
 
 def views(folder: Path) -> RunViews:
-    made = RunViews(folder / "run_views.json")
-    made.open()
-    return made
+    return RunViews(folder / "run_views.json")
 
 
 def test_views_survive_a_restart_and_a_broken_file_is_no_end(tmp_path: Path) -> None:

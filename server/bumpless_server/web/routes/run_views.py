@@ -7,8 +7,8 @@ from bumpless_server.runs.run_views import RunView, TooMany
 from bumpless_server.web.answers.refusal import REFUSALS
 from bumpless_server.web.answers.run_views import RunViewAnswer, RunViewBody
 from bumpless_server.web.errors import Refusal
-from bumpless_server.web.noting import Noting
 from bumpless_server.web.routes import Served
+from bumpless_server.web.routes.noting import Noting
 
 router = APIRouter(prefix="/api/run-views", responses=REFUSALS)
 

@@ -19,8 +19,8 @@ from bumpless_server.web.answers.contract import Metrics
 from bumpless_server.web.answers.refusal import REFUSALS
 from bumpless_server.web.answers.runs import RunAnswer
 from bumpless_server.web.errors import Refusal
-from bumpless_server.web.noting import Noting
 from bumpless_server.web.routes import Served
+from bumpless_server.web.routes.noting import Noting
 
 router = APIRouter(prefix="/api/runs", responses=REFUSALS)
 

@@ -6,8 +6,8 @@ from bumpless_server.runs.shelf import Words
 from bumpless_server.web.answers.refusal import REFUSALS
 from bumpless_server.web.answers.shelf import BinnedRun, RunWords
 from bumpless_server.web.errors import Refusal
-from bumpless_server.web.noting import Noting
 from bumpless_server.web.routes import Served
+from bumpless_server.web.routes.noting import Noting
 
 router = APIRouter(prefix="/api", responses=REFUSALS)
 
