@@ -2759,6 +2759,8 @@ export interface components {
             id: string;
             /** Last S */
             last_s: number | null;
+            /** Pace S */
+            pace_s: number | null;
         };
         /**
          * ForClient

@@ -46,6 +46,7 @@ class FlightPiece(Stretch):
     """What one file holds of a flight; the second and later are called `<flight>.2`, `.3` ..."""
 
     id: str
+    pace_s: Number  # from one cycle in it to the next
 
 
 class FlightAnswer(Answer):
