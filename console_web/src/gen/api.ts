@@ -1254,6 +1254,50 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/run-views": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Views
+         * @description All saved views, by name.
+         */
+        get: operations["views_api_run_views_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/run-views/{name}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Keep
+         * @description Keep a view for all, new or in the place of the one of that name.
+         */
+        put: operations["keep_api_run_views__name__put"];
+        post?: never;
+        /**
+         * Forget
+         * @description Forget a view; the runs in it stay.
+         */
+        delete: operations["forget_api_run_views__name__delete"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/runs": {
         parameters: {
             query?: never;
@@ -1380,6 +1424,28 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/runs/{run}/flight": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Flight
+         * @description The flight that the run is of: its pieces, what is missing between them, and its figures.
+         *
+         *     Files stay what they are: each has its own figures under its own id.
+         */
+        get: operations["flight_api_runs__run__flight_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/runs/{run}/frames": {
         parameters: {
             query?: never;
@@ -1491,7 +1557,7 @@ export interface paths {
         };
         /**
          * Replay
-         * @description How long the run is and what happened in it.
+         * @description How long the flight is that the run is of, what happened in it, and what was not recorded.
          */
         get: operations["replay_api_runs__run__replay_get"];
         put?: never;
@@ -1511,7 +1577,7 @@ export interface paths {
         };
         /**
          * Report
-         * @description The run's report: one HTML file that fetches nothing and prints on A4.
+         * @description The report of the flight that the run is of: one HTML file that fetches nothing and prints on A4.
          */
         get: operations["report_api_runs__run__report_html_get"];
         put?: never;
@@ -2665,6 +2731,36 @@ export interface components {
             unit: string;
         } & {
             [key: string]: unknown;
+        };
+        /**
+         * FlightAnswer
+         * @description A flight over all its finished pieces; figures are of what was recorded of it.
+         */
+        FlightAnswer: {
+            /** Gaps */
+            gaps: components["schemas"]["Stretch"][];
+            /** Id */
+            id: string;
+            metrics: components["schemas"]["Metrics"] | null;
+            outcome: components["schemas"]["Ending"] | null;
+            /** Outcome Reason */
+            outcome_reason: string;
+            /** Pieces */
+            pieces: components["schemas"]["FlightPiece"][];
+        };
+        /**
+         * FlightPiece
+         * @description What one file holds of a flight; the second and later are called `<flight>.2`, `.3` ...
+         */
+        FlightPiece: {
+            /** First S */
+            first_s: number | null;
+            /** Id */
+            id: string;
+            /** Last S */
+            last_s: number | null;
+            /** Pace S */
+            pace_s: number | null;
         };
         /**
          * ForClient
@@ -3880,7 +3976,7 @@ export interface components {
         };
         /**
          * ReplayAnswer
-         * @description How long it is, and what happened in it. Times are mission times, s.
+         * @description How long the flight is that a run is of, and what happened in it. Times are mission times, s.
          */
         ReplayAnswer: {
             /** Cycles */
@@ -3889,8 +3985,12 @@ export interface components {
             events: components["schemas"]["RunEvent"][];
             /** First S */
             first_s: number | null;
+            /** Gaps */
+            gaps: components["schemas"]["Stretch"][];
             /** Last S */
             last_s: number | null;
+            /** Pieces */
+            pieces: components["schemas"]["FlightPiece"][];
             /** Run */
             run: string;
         };
@@ -3952,12 +4052,29 @@ export interface components {
             /** Outcome Reason */
             outcome_reason: string;
             /**
+             * Parameters Sha256
+             * @default
+             */
+            parameters_sha256: string;
+            /** Piece */
+            piece: number;
+            /**
              * Recorded
              * Format: date-time
              */
             recorded: string;
             /** Run Id */
             run_id: string;
+            /**
+             * Seed
+             * @default 0
+             */
+            seed: number;
+            /**
+             * Software Version
+             * @default
+             */
+            software_version: string;
             /**
              * Started
              * Format: date-time
@@ -4007,6 +4124,43 @@ export interface components {
              * @default
              */
             text: string;
+        };
+        /**
+         * RunViewAnswer
+         * @description A view by its name, and who kept it last.
+         */
+        RunViewAnswer: {
+            /** Author */
+            author: string;
+            /** Columns */
+            columns: ("recorded" | "duration" | "closest" | "error" | "steps" | "seed" | "revision" | "vehicle" | "note" | "size")[];
+            /** Name */
+            name: string;
+            /** Outcome */
+            outcome: components["schemas"]["Ending"] | ("recording" | "");
+            /** Words */
+            words: string;
+        };
+        /**
+         * RunViewBody
+         * @description What a view shows: runs with these words and this outcome, and these columns beside the title.
+         */
+        RunViewBody: {
+            /**
+             * Columns
+             * @default []
+             */
+            columns?: ("recorded" | "duration" | "closest" | "error" | "steps" | "seed" | "revision" | "vehicle" | "note" | "size")[];
+            /**
+             * Outcome
+             * @default
+             */
+            outcome?: components["schemas"]["Ending"] | ("recording" | "");
+            /**
+             * Words
+             * @default
+             */
+            words?: string;
         };
         /**
          * RunWords
@@ -4239,6 +4393,16 @@ export interface components {
              * @default
              */
             vehicle_id: string;
+        };
+        /**
+         * Stretch
+         * @description From one mission time to another, s.
+         */
+        Stretch: {
+            /** First S */
+            first_s: number | null;
+            /** Last S */
+            last_s: number | null;
         };
         /**
          * SupervisorParameters
@@ -7126,6 +7290,387 @@ export interface operations {
             507: components["responses"]["Refused507"];
         };
     };
+    views_api_run_views_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["RunViewAnswer"][];
+                };
+            };
+            /** @description No request that can be read */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Nobody known asks: log in, or send a token that is in force */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not for this role, or from a page of another origin */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not this method */
+            405: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description By a host name that is not this server's */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not valid, with each problem */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Too many wrong guesses */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description An internal error; the server's log tells more */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, or too much waits */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    keep_api_run_views__name__put: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["RunViewBody"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["RunViewAnswer"];
+                };
+            };
+            /** @description No request that can be read */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Nobody known asks: log in, or send a token that is in force */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not for this role, or from a page of another origin */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description There is no such thing */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not this method */
+            405: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Refused as things stand, by the server or the vehicle, with the reason */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description The body is too long */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description By a host name that is not this server's */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not valid, with each problem */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Too many wrong guesses */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description An internal error; the server's log tells more */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, or too much waits */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description The disk has no room; nothing was kept */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
+    forget_api_run_views__name__delete: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description No request that can be read */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Nobody known asks: log in, or send a token that is in force */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not for this role, or from a page of another origin */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description There is no such thing */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not this method */
+            405: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Refused as things stand, by the server or the vehicle, with the reason */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description The body is too long */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description By a host name that is not this server's */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not valid, with each problem */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Too many wrong guesses */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description An internal error; the server's log tells more */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, or too much waits */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description The disk has no room; nothing was kept */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+        };
+    };
     runs_api_runs_get: {
         parameters: {
             query?: never;
@@ -7363,6 +7908,127 @@ export interface operations {
             429: components["responses"]["Refused429"];
             500: components["responses"]["Refused500"];
             503: components["responses"]["Refused503"];
+        };
+    };
+    flight_api_runs__run__flight_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                run: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["FlightAnswer"];
+                };
+            };
+            /** @description No request that can be read */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Nobody known asks: log in, or send a token that is in force */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not for this role, or from a page of another origin */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description There is no such thing */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not this method */
+            405: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Refused as things stand, by the server or the vehicle, with the reason */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description By a host name that is not this server's */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not valid, with each problem */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Too many wrong guesses */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description An internal error; the server's log tells more */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
+            /** @description Not possible now: no vehicle answers, or too much waits */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Refused"];
+                };
+            };
         };
     };
     frames_api_runs__run__frames_get: {
