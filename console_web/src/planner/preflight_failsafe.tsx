@@ -26,9 +26,7 @@ export function Failsafes() {
           </li>
         ))}
       </ul>
-      {ignored.length > 0 && (
-        <span class="muted">Not watched: {ignored.map(words).join("; ")}.</span>
-      )}
+      {ignored.length > 0 && <span class="muted">Not watched: {ignored.map(words).join("; ")}.</span>}
     </>
   );
 }

@@ -58,7 +58,7 @@ class Heartbeat:
         self._holder = Presence(declared.holder_lost_s, now)
 
     def beat(self, payload: bytes) -> None:
-        """A console said something; on Zenoh's thread. What is no Heartbeat says that it is there, no more."""
+        """A console said something; on Zenoh's thread. What is no Heartbeat says that it is there at most."""
         self._console.seen()
         try:
             in_control = pb.Heartbeat.FromString(payload).in_control

@@ -90,8 +90,8 @@ class Failsafe:
         return (
             _watched("heartbeat_lost", "The console is not heard during a mission.", self.heartbeat_lost,
                      self.heartbeat_lost_s, "s"),
-            _watched("holder_lost", "Nobody is in control during a mission, as when your page is closed or cut "
-                     "off.", self.holder_lost, self.holder_lost_s, "s"),
+            _watched("holder_lost", "Nobody is in control during a mission, as when your page is closed or "
+                     "cut off.", self.holder_lost, self.holder_lost_s, "s"),
             _watched("target_missing", "The target is not seen for too long in a mission.",
                      self.target_missing, self.target_missing_s, "s"),
             _watched("depth_exceeded", "It is too deep.", self.depth_exceeded, self.depth_most_m, "m"),
