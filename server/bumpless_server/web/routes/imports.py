@@ -16,6 +16,7 @@ from bumpless_server.web.answers.contract import Answer
 from bumpless_server.web.answers.refusal import REFUSALS
 from bumpless_server.web.answers.runs import RunAnswer
 from bumpless_server.web.errors import Refusal
+from bumpless_server.web.ledger import Done
 from bumpless_server.web.routes import Served
 from bumpless_server.web.routes.runs import one
 
@@ -53,7 +54,7 @@ def disk(console: Served) -> DiskUse:
     openapi_extra={"requestBody": {"content": {"application/octet-stream": {}}, "required": True}},
 )
 async def bring_in(
-    console: Served, request: Request, name: Annotated[str, Query(max_length=200)]
+    console: Served, deed: Done, request: Request, name: Annotated[str, Query(max_length=200)]
 ) -> RunAnswer:
     """Take an MCAP file with our messages into the list, also another recorder's, or one that was cut off."""
     stem = name.removesuffix(ENDING)
@@ -72,6 +73,7 @@ async def bring_in(
         raise Refusal(503, str(error)) from error
     except NotOurs as error:
         raise Refusal(422, f"{name} cannot be taken in: {error}") from error
+    deed.tell(name=name, run=run)
     return await run_in_threadpool(lambda: one(console, run))
 
 

@@ -1,23 +1,29 @@
 """What people say of runs, and the bin."""
 
+from dataclasses import asdict
+
 from fastapi import APIRouter, Response
 
+from bumpless_server.live.tuning import changes
 from bumpless_server.runs.shelf import Words
 from bumpless_server.web.answers.refusal import REFUSALS
 from bumpless_server.web.answers.shelf import BinnedRun, RunWords
 from bumpless_server.web.errors import Refusal
+from bumpless_server.web.ledger import Done
 from bumpless_server.web.routes import Served
 
 router = APIRouter(prefix="/api", responses=REFUSALS)
 
 
 @router.put("/runs/{run}/words", status_code=204)
-def write(console: Served, run: str, body: RunWords) -> Response:
+def write(console: Served, deed: Done, run: str, body: RunWords) -> Response:
     """Give a run a title, tags and a note; the log itself stays as it is."""
     if console.catalogue.path(run) is None:
         raise Refusal(404, f"there is no run {run!r}")
     tags = tuple(dict.fromkeys(tag.strip() for tag in body.tags if tag.strip()))
-    console.shelf.write(run, Words(body.title.strip(), tags, body.note.strip()))
+    before, after = console.shelf.words(run), Words(body.title.strip(), tags, body.note.strip())
+    console.shelf.write(run, after)
+    deed.tell(changes=changes(asdict(before), asdict(after)))
     return Response(status_code=204)
 
 
