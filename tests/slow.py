@@ -42,6 +42,7 @@ SLOW = (
     "tests/server/vehicle_process/test_supervise.py",
     "tests/server/web/test_commanding.py",
     "tests/server/web/test_export_api.py",
+    "tests/server/web/test_flight_api.py",
     "tests/server/web/test_missions_api.py",
     "tests/trust",
     # tens of thousands of problems, and code compiled anew

@@ -54,8 +54,10 @@ from bumpless_server.plan.presets import Presets
 from bumpless_server.runs.catalogue import Catalogue
 from bumpless_server.runs.disk_budget import DiskBudget
 from bumpless_server.runs.errands import Errands
+from bumpless_server.runs.flights import Flights
 from bumpless_server.runs.recorder import Recorder
 from bumpless_server.runs.replays import Replays
+from bumpless_server.runs.run_views import RunViews
 from bumpless_server.runs.shelf import Shelf
 from bumpless_server.runs.watch import FolderWatch
 from bumpless_server.scene.ghosts import Ghosts
@@ -88,10 +90,12 @@ class Console:
         self.foresight = Foresight(self._present, charts=self.data.charts)  # on the web's loop, which ends it
         self.catalogue = Catalogue(self.data.runs, self.data.index)
         self.replays = Replays()
+        self.flights = Flights()
         self.errands = Errands(self.data.scratch)
         self.what_if = WhatIfDesk()  # on the web's loop, which ends it
         self.ghosts = Ghosts()  # for the scene
         self.revisions = Revisions(self.data.revisions)
+        self.run_views = RunViews(self.data.run_views)
         self.shelf = Shelf(self.data.words, self.data.run_bin)
         self.budget = DiskBudget(
             self.data.runs,

@@ -1,30 +1,17 @@
 """The five-minute walk on the real server and vehicle: drawn, judged, mended, saved, started, watched."""
 
-import os
 import re
-from collections.abc import Iterator
 from pathlib import Path
 
-import pytest
 from playwright.sync_api import Page, expect
 
-from bumpless_server.settings import Settings
 from tests.console import planner
 from tests.console.conftest import show
-from tests.server.serving import Running, free_port, serving
+from tests.server.serving import Running
 
 ROOT = Path(__file__).parents[2]
 COMPILES_MS = 600_000  # patience with a machine that has never compiled the control cycle
 FORESEES_MS = 180_000  # patience with a busy one that flies 200 missions
-
-
-@pytest.fixture
-def running(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Running]:
-    """Server, node and foresight as `bumpless serve` starts them, without the scene."""
-    monkeypatch.setenv("PYTHONPATH", os.pathsep.join(filter(None, [str(ROOT), os.environ.get("PYTHONPATH")])))
-    bus = (f"tcp/127.0.0.1:{free_port()}",)
-    with serving(Settings(data_dir=tmp_path / "data", zenoh_listen=bus, scene="off")) as server:
-        yield server
 
 
 def docks(page: Page) -> float:

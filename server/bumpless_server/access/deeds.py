@@ -30,12 +30,14 @@ DEEDS = _table(
     PUT /api/charts/{name} save_chart
     PUT /api/charts/{name}/owners own_chart
     DELETE /api/charts/{name} delete_chart
-    DELETE /api/runs/{run} delete_run
+    DELETE /api/runs/{run} throw_away_run
     PUT /api/runs/{run}/words describe_run
     POST /api/runs/{run}/refly refly_run
     POST /api/runs-import import_run
-    POST /api/bin/{run}/restore restore_run
-    DELETE /api/bin/{run} delete_run_for_good
+    POST /api/bin/{run}/restore take_back_run
+    DELETE /api/bin/{run} delete_run
+    PUT /api/run-views/{name} save_run_view
+    DELETE /api/run-views/{name} forget_run_view
     """
 )
 

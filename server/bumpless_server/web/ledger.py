@@ -14,7 +14,7 @@ from bumpless_server.access.who import Who
 from bumpless_server.audit import Audit
 from bumpless_server.live.tally import printable
 from bumpless_server.web.guard import address_of
-from bumpless_server.web.known import KEY
+from bumpless_server.web.known import KEY, who_asks
 
 DEED = "bumpless.deed"  # in the ASGI scope
 MOST_AUTHOR, MOST_SAID = 80, 300
@@ -25,7 +25,8 @@ REFUSED = frozenset({403, 409, 412, 423, 500, 503, 507})
 class Deed:
     """What a request does, as its route finds out; a pair is what it was and what it became."""
 
-    def __init__(self, **details: object) -> None:
+    def __init__(self, author: str, **details: object) -> None:
+        self.author = author
         self.details: dict[str, object] = details
 
     def tell(self, **details: object) -> None:
@@ -34,7 +35,7 @@ class Deed:
 
 
 async def _deed(connection: HTTPConnection) -> Deed:
-    return connection.scope.get(DEED) or Deed()
+    return connection.scope.get(DEED) or Deed(author_of(who_asks(connection), connection.headers))
 
 
 Done = Annotated[Deed, Depends(_deed)]
@@ -59,7 +60,7 @@ class Ledger:
             await self._app(scope, receive, send)
             return
         verb, names = found
-        scope[DEED] = deed = Deed(**names)
+        scope[DEED] = deed = Deed(author_of(scope[KEY], Headers(scope=scope)), **names)
         held: list[Message] = []  # a refusal, until its reason is known
 
         async def send_noted(message: Message) -> None:
@@ -84,9 +85,8 @@ class Ledger:
             raise
 
     async def _note(self, scope: Scope, verb: str, deed: Deed, refused: str | None = None) -> None:
-        author = author_of(scope[KEY], Headers(scope=scope))
-        address = address_of(scope)
-        await run_in_threadpool(self._audit.note, verb, author, address, deed.details, refused)
+        note = self._audit.note
+        await run_in_threadpool(note, verb, deed.author, address_of(scope), deed.details, refused)
 
 
 def _reason(messages: list[Message]) -> str:

@@ -10,8 +10,8 @@ from fastapi.concurrency import run_in_threadpool
 from bumpless.contract.names import RUN
 from bumpless.runs.adopt import NotOurs, adopt
 from bumpless.runs.names import ENDING
+from bumpless.runs.pieces import LONGEST_NAME
 from bumpless_server.runs.errands import ErrandsBusy
-from bumpless_server.runs.recorder import free_id
 from bumpless_server.web.answers.contract import Answer
 from bumpless_server.web.answers.refusal import REFUSALS
 from bumpless_server.web.answers.runs import RunAnswer
@@ -73,18 +73,27 @@ async def bring_in(
         raise Refusal(503, str(error)) from error
     except NotOurs as error:
         raise Refusal(422, f"{name} cannot be taken in: {error}") from error
-    deed.tell(name=name, run=run)
+    deed.tell(file=name, run=run)
     return await run_in_threadpool(lambda: one(console, run))
 
 
 def _taken(console: Served, arrived: Path, stem: str) -> str:
     ready = arrived.with_name(f"ready{ENDING}")
     adopt(arrived, ready)
-    run = free_id(console.data.runs, stem)
+    run = _free_name(console.data.runs, stem)
     target = console.data.runs / f"{run}{ENDING}"
     ready.replace(target)
     console.catalogue.add(target)
     return run
+
+
+def _free_name(folder: Path, stem: str) -> str:
+    """A second file of one name is a copy, and must not be called like a piece of its flight."""
+    name, number = stem, 1
+    while (folder / f"{name}{ENDING}").exists():
+        number += 1
+        name = f"{stem[:LONGEST_NAME]}-copy{number}"
+    return name
 
 
 def _sizes(folder: Path) -> list[int]:

@@ -11,6 +11,7 @@ from fastapi.responses import FileResponse, StreamingResponse
 from pydantic import ValidationError
 
 from bumpless.runs.names import RECORDING
+from bumpless.runs.pieces import piece_of
 from bumpless.runs.writer import RunWriter
 from bumpless_server.runs.catalogue import Row
 from bumpless_server.runs.shelf import Words
@@ -48,6 +49,7 @@ def _going_on(run: RunWriter) -> RunAnswer:
     return RunAnswer(
         id=run.id,
         run_id=run.run_id,
+        piece=piece_of(run.id, run.run_id),
         mission=status.mission_name,
         mission_sha256=status.mission_sha256,
         vehicle="",
