@@ -74,7 +74,10 @@ def remove(console: Served, deed: Done, name: str) -> BinnedAnswer:
 def rename(console: Served, deed: Done, name: str, wanted: To = Body(...)) -> MissionDetail:
     """Give an uploaded mission another file name; history, draft and tags go with it."""
     deed.tell(name=[name, wanted.to])
-    return _told(console, console.library.rename(name, wanted.to))
+    before = console.library.get(name).name
+    file = console.library.rename(name, wanted.to)
+    console.charts.mission_renamed(before, file.name)
+    return _told(console, file)
 
 
 @router.post("/missions/{name}/duplicate", status_code=201)
