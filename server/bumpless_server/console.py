@@ -319,6 +319,7 @@ class Console:
     def _control(self, state: pb.ControlHolder) -> None:
         payload = state.SerializeToString()
         self._tell(Sample(CONTROL, state.DESCRIPTOR.full_name, payload, from_vehicle=False))
+        self._beat()  # who takes control and starts at once is known to the vehicle before the start
 
     def _audited(self, entry: dict[str, Any]) -> None:
         """Each line of the audit also goes into the log of the run that it is about."""
