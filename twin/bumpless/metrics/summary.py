@@ -9,7 +9,7 @@ from bumpless.contract.enums import FORWARD, HOVER, REVERSE, SOLVED
 from bumpless.contract.messages import as_json
 from bumpless.contract.units import DEG, EDGE_PER_SI, WRENCH
 from bumpless.metrics.capture import capture_of
-from bumpless.metrics.columns import Columns, Floats
+from bumpless.metrics.columns import Columns, Floats, lengths
 from bumpless.metrics.cost import cost_of
 from bumpless.metrics.modes import ModeFigures, mode_figures
 from bumpless.metrics.proposition import demand_step_violations, increment_violations
@@ -37,11 +37,11 @@ def metrics_of(run: Columns, vehicle: "Vehicle", run_id: str = "") -> pb.Metrics
     message = pb.Metrics(run_id=run_id, cycles=len(run), missing_cycles=run.missing)
     if len(run) == 0:
         return message
-    residual = np.linalg.norm((run.tau_d - run.tau_c) * served, axis=1)
+    residual = lengths((run.tau_d - run.tau_c) * served)
     steps = switch_steps(run, bounds, edge)
     message.duration_s = float(run.time[-1] - run.time[0]) + vehicle.control_period_s
     message.residual_rms = _rms(residual)
-    message.residual_rms_true = _rms(np.linalg.norm((run.tau_d - run.tau) * served, axis=1))
+    message.residual_rms_true = _rms(lengths((run.tau_d - run.tau) * served))
     message.saturation_ratio = _saturation_ratio(run, lower, upper)
     message.solved_ratio = float(np.mean(run.status == SOLVED))
     message.d_u_fr, message.d_u_fr_settling = largest(steps, FORWARD, REVERSE)
