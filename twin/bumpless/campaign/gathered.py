@@ -9,9 +9,10 @@ from dataclasses import fields
 import numpy as np
 import numpy.typing as npt
 
+from bumpless.contract.enums import RUNNING
 from bumpless.jit import jit
 from bumpless.metrics import Columns
-from bumpless.metrics.columns import FLOWN, DockColumns
+from bumpless.metrics.columns import DockColumns
 from bumpless.sim.log import LOG
 from bumpless.sim.twin import Twin, new_log
 
@@ -23,6 +24,10 @@ _WORD = np.dtype(np.float64).itemsize
 _PLACES = np.array([(LOG.fields or {})[name][1] // _WORD for name in _NAMES])  # in a row, in words
 _WIDTHS = np.array([LOG[name].itemsize // _WORD for name in _NAMES])
 _BEGINS = np.concatenate([[0], np.cumsum(_WIDTHS)])  # of each column, in words per row before it
+# the same of every word of a row that is kept: where it is, its column's begin, place and width
+_FROM = np.concatenate([place + np.arange(width) for place, width in zip(_PLACES, _WIDTHS, strict=True)])
+_BEGIN, _STEP = np.repeat(_BEGINS[:-1], _WIDTHS), np.repeat(_WIDTHS, _WIDTHS)
+_ASIDE = np.arange(_BEGINS[-1]) - _BEGIN
 assert LOG.itemsize % _WORD == 0  # every field is one word or several: rows are read as numbers
 
 
@@ -41,7 +46,7 @@ class Gatherer:
             self._kept = np.zeros(most * _BEGINS[-1])
         while filled < most and twin.phase == begun:
             flown = twin.fly(self._rows[: most - filled])
-            gather(self._words[:flown], _PLACES, _WIDTHS, _BEGINS, most, filled, self._kept)
+            gather(self._words[:flown], _FROM, _BEGIN * most + _ASIDE, _STEP, filled, self._kept)
             filled += flown
         return self._columns(most, filled, len(twin.vehicle.commands))
 
@@ -50,7 +55,7 @@ class Gatherer:
         for name, width, begin in zip(_NAMES, _WIDTHS, _BEGINS[:-1], strict=True):
             part = self._kept[begin * room : begin * room + count * width].view(LOG[name].base)
             found[name] = part.reshape(count, width) if LOG[name].shape else part
-        if not np.isin(found.pop("phase"), FLOWN).all():
+        if (found.pop("phase") != RUNNING).any():
             raise ValueError("a campaign flies missions: not from rest, and not beyond their end")
         for name in ("u", "u_feedback", "du_max"):
             found[name] = found[name][:, :n_u]
@@ -60,10 +65,11 @@ class Gatherer:
 
 
 @jit
-def gather(rows, places, widths, begins, room, done, out):
-    """Copy fields of rows (m, words) behind the `done` rows of each column in `out`, which has `room`."""
-    for r in range(rows.shape[0]):
-        for f in range(places.shape[0]):
-            to = begins[f] * room + (done + r) * widths[f]
-            for j in range(widths[f]):
-                out[to + j] = rows[r, places[f] + j]
+def gather(rows, places, begins, steps, done, out):
+    """Copy the words at `places` of rows (m, words) into `out`: word w of row r to begins[w] + r steps[w],
+    behind the rows that are `done`."""
+    for w in range(places.shape[0]):
+        place, step, to = places[w], steps[w], begins[w] + done * steps[w]
+        for r in range(rows.shape[0]):
+            out[to] = rows[r, place]
+            to += step
