@@ -5,6 +5,7 @@ again, once for each column.
 """
 
 from dataclasses import fields
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -21,7 +22,8 @@ BLOCK = 256  # cycles per compiled call: their rows fit in a processor's own cac
 _DOCK = tuple(f.name for f in fields(DockColumns))
 _NAMES = (*(f.name for f in fields(Columns) if f.name != "dock"), *_DOCK, "phase")
 _WORD = np.dtype(np.float64).itemsize
-_PLACES = np.array([(LOG.fields or {})[name][1] // _WORD for name in _NAMES])  # in a row, in words
+_FIELDS: Any = LOG.fields
+_PLACES = np.array([_FIELDS[name][1] // _WORD for name in _NAMES])  # in a row, in words
 _WIDTHS = np.array([LOG[name].itemsize // _WORD for name in _NAMES])
 _BEGINS = np.concatenate([[0], np.cumsum(_WIDTHS)])  # of each column, in words per row before it
 # the same of every word of a row that is kept: where it is, its column's begin, place and width

@@ -5,7 +5,7 @@ Source: Fossen 2021, ch. 2; Gao et al. 2026, eq. (6)-(7).
 
 from math import atan2, cos, pi, sin
 
-from bumpless.jit import inline
+from bumpless.jit import inline, jit
 
 
 @inline
@@ -16,7 +16,7 @@ def wrap(angle):
     return (angle + pi) % (2.0 * pi) - pi
 
 
-@inline
+@jit
 def body_to_ned(phi, theta, psi, v, out):
     """out = R_nb(phi, theta, psi) v ; v and out of shape (3,). Source: Gao et al. 2026, eq. (6)-(7)."""
     cf, sf, ct, st, cp, sp = cos(phi), sin(phi), cos(theta), sin(theta), cos(psi), sin(psi)
@@ -26,7 +26,7 @@ def body_to_ned(phi, theta, psi, v, out):
     out[2] = -st * x + ct * sf * y + ct * cf * z
 
 
-@inline
+@jit
 def ned_to_body(phi, theta, psi, v, out):
     """out = R_nb^T v ; v and out of shape (3,)."""
     cf, sf, ct, st, cp, sp = cos(phi), sin(phi), cos(theta), sin(theta), cos(psi), sin(psi)
@@ -36,7 +36,7 @@ def ned_to_body(phi, theta, psi, v, out):
     out[2] = (sp * sf + cp * cf * st) * x + (st * sp * cf - cp * sf) * y + ct * cf * z
 
 
-@inline
+@jit
 def euler_rates(phi, theta, p, q, r):
     """(phi', theta', psi') = T(phi, theta) [p q r]. Singular at theta = +-pi/2.
 

@@ -59,7 +59,8 @@ def one(dtype: np.dtype) -> np.ndarray:
 
 def bytes_of(record: np.ndarray, name: str) -> np.ndarray:
     """The bytes of one field of an array of one record."""
-    begin = (record.dtype.fields or {})[name][1]
+    fields: Any = record.dtype.fields
+    begin = fields[name][1]
     return record.view(np.uint8)[begin : begin + record.dtype[name].itemsize]
 
 
