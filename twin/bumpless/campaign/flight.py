@@ -1,32 +1,29 @@
-"""Fly one number of a campaign and keep one row of it. A worker holds one log and one twin, used again."""
+"""Fly one number of a campaign and keep one row of it. A worker holds one twin and its room, used again."""
 
 from collections.abc import Sequence
 from typing import Any
 
-import numpy as np
-
 from bumpless.campaign.drawn import OF_SENSORS, drawn_mission, drawn_vehicle, relative_current
 from bumpless.campaign.figures import figures
+from bumpless.campaign.gathered import Gatherer
 from bumpless.campaign.plant import Alteration
 from bumpless.campaign.prepared import Prepared
 from bumpless.campaign.ready import ready
 from bumpless.config.parameters import Parameters
 from bumpless.config.vehicle import Vehicle
-from bumpless.metrics import Columns, figures_of
-from bumpless.sim.twin import Twin, new_log
-
-BLOCK = 1024  # cycles per compiled call
+from bumpless.metrics import figures_of
+from bumpless.sim.twin import Twin
 
 Row = dict[str, Any]
 
 
 class Hangar:
-    """The twins and the log of one worker thread."""
+    """The twin of one worker thread, and the room for its flights."""
 
     def __init__(self) -> None:
         self._of: tuple[Any, ...] = ()
         self._twin: Twin | None = None
-        self._log = new_log(0)
+        self.gatherer = Gatherer()
 
     def twin(self, vehicle: Vehicle, parameters: Parameters, values: Row) -> Twin:
         """A twin of the vehicle as drawn; the last one when it was the same vehicle with the same sensors."""
@@ -34,12 +31,6 @@ class Hangar:
         if self._twin is None or self._of[0] is not vehicle or self._of[1:] != of[1:]:
             self._of, self._twin = of, Twin(drawn_vehicle(vehicle, values), parameters)
         return self._twin
-
-    def log(self, cycles: int) -> np.ndarray:
-        """Rows to write to; what they hold is old."""
-        if len(self._log) < cycles:
-            self._log = new_log(cycles)
-        return self._log[:cycles]
 
 
 class FlyNumbers:
@@ -62,11 +53,10 @@ def fly_number(prepared: Prepared, number: int, hangar: Hangar) -> Row:
     twin = hangar.twin(setup.vehicle, setup.parameters, values)
     vehicle = twin.vehicle
     twin.start(mission, seed, setup.parameters, Alteration.of(values))
-    log = flown(twin, hangar.log(twin.cycles))
+    columns = hangar.gatherer.fly(twin).as_told([c.unit for c in vehicle.commands])
     twin.drain_events()
-    columns = Columns.from_log(log, len(vehicle.commands)).as_told([c.unit for c in vehicle.commands])
     limits = prepared.campaign.docked.limits
-    metrics, outcome = figures_of(columns, vehicle, mission, "completed", limits=limits)
+    metrics, outcome = figures_of(columns, vehicle, mission, "completed", limits=limits, checks=False)
     speed, toward = relative_current(mission)
     return {
         "number": number,
@@ -80,11 +70,3 @@ def fly_number(prepared: Prepared, number: int, hangar: Hangar) -> Row:
         **figures(metrics, outcome),
         **{f"draw_{name}": value for name, value in values.items()},
     }
-
-
-def flown(twin: Twin, log: np.ndarray) -> np.ndarray:
-    """The rows of the flight that begins now, to its end."""
-    begun, filled = twin.phase, 0
-    while filled < len(log) and twin.phase == begun:
-        filled += twin.fly(log[filled : filled + BLOCK])
-    return log[:filled]

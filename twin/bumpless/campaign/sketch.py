@@ -8,13 +8,13 @@ import numpy.typing as npt
 
 from bumpless.campaign.declaration import Campaign
 from bumpless.campaign.drawn import drawn_mission
-from bumpless.campaign.flight import Hangar, flown
+from bumpless.campaign.flight import Hangar
 from bumpless.campaign.plant import Alteration
 from bumpless.campaign.prepared import Prepared
 from bumpless.campaign.read import load_campaign
 from bumpless.chart import floor_of
 from bumpless.config.mission import missions_folder
-from bumpless.metrics import Columns, Outcome, outcome_of
+from bumpless.metrics import Outcome, outcome_of
 from bumpless.metrics.dock import body_of
 from bumpless.metrics.floor import least_clearance
 
@@ -47,13 +47,13 @@ def sketch(prepared: Prepared, number: int, hangar: Hangar, points: int) -> Sket
     twin = hangar.twin(setup.vehicle, setup.parameters, values)
     vehicle = twin.vehicle
     twin.start(mission, seed, setup.parameters, Alteration.of(values))
-    log = flown(twin, hangar.log(twin.cycles))
+    flown = hangar.gatherer.fly(twin)
     twin.drain_events()
-    columns = Columns.from_log(log, len(vehicle.commands)).as_told([c.unit for c in vehicle.commands])
+    columns = flown.as_told([c.unit for c in vehicle.commands])
     body, limits = body_of(mission.target), prepared.campaign.docked.limits
     floor = floor_of(mission)
     outcome = outcome_of(columns, vehicle, "completed", body=body, limits=limits, floor=floor)
-    shown = np.unique(np.linspace(0, len(log) - 1, min(points, len(log))).round().astype(int))
-    lasted_s = float(log["time"][-1] - log["time"][0]) + vehicle.control_period_s
+    shown = np.unique(np.linspace(0, len(flown) - 1, min(points, len(flown))).round().astype(int))
+    lasted_s = float(flown.time[-1] - flown.time[0]) + vehicle.control_period_s
     clear = least_clearance(columns.eta, vehicle, floor)
-    return Sketch(number, seed, outcome, lasted_s, clear, np.array(log["eta"][shown, :3]))
+    return Sketch(number, seed, outcome, lasted_s, clear, np.array(flown.eta[shown, :3]))

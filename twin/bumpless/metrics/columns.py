@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
+from functools import cached_property
 from typing import Any, Self
 
 import numpy as np
@@ -114,7 +115,7 @@ class Columns:
             **angles,
         )
 
-    @property
+    @cached_property
     def heading(self) -> Floats:
         """(n,) approach heading, rad: the one in use, or the target's own."""
         return np.where(self.stage != 0, self.approach, self.target[:, 3])
@@ -122,7 +123,7 @@ class Columns:
     def __len__(self) -> int:
         return len(self.time)
 
-    @property
+    @cached_property
     def follows(self) -> npt.NDArray[np.bool_]:
         """(n,) whether the row before is the cycle before; False for the first row and after a gap."""
         first = np.zeros(min(len(self), 1), bool)
@@ -138,3 +139,21 @@ class Columns:
     def missing(self) -> int:
         """Cycles between the first and the last that are not in the log."""
         return int(self.cycle[-1] - self.cycle[0] + 1 - len(self)) if len(self) else 0
+
+
+def dots(a: Floats, b: Floats) -> Floats:
+    """(n,) scalar products of the rows of a and b (n, k), as NumPy's to the bit.
+
+    By columns, for NumPy takes rows of a few numbers one after the other: a third of the time.
+    """
+    if a.shape[1] >= 8:  # from there on it sums in another order
+        return np.sum(a * b, axis=1)
+    total = a[:, 0] * b[:, 0]
+    for k in range(1, a.shape[1]):
+        total += a[:, k] * b[:, k]
+    return total
+
+
+def lengths(vectors: Floats) -> Floats:
+    """(n,) length of each row of (n, k)."""
+    return np.sqrt(dots(vectors, vectors))

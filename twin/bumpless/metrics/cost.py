@@ -8,7 +8,7 @@ import numpy as np
 
 from bumpless.config.vehicle.parts import Azimuth, Screw, Thruster
 from bumpless.contract.units import DEG, RPM
-from bumpless.metrics.columns import Columns, Floats
+from bumpless.metrics.columns import Columns, Floats, dots
 
 if TYPE_CHECKING:
     from bumpless.config.vehicle import Vehicle
@@ -62,7 +62,7 @@ def _inflow(run: Columns, screw: Thruster | Azimuth, angle: Floats) -> Floats:
     if angle.shape[1]:
         along = np.column_stack([np.cos(angle), np.sin(angle), np.zeros(len(run))])
     flow = run.nu_r_hat + np.cross(run.nu_hat[:, 3:], np.array(screw.position_m))
-    return (1.0 - screw.wake_fraction) * np.sum(flow * along, axis=1)
+    return (1.0 - screw.wake_fraction) * dots(flow, along)
 
 
 def _reversals(n: Floats, turning: float) -> int:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from bumpless.metrics.columns import Columns, Floats
+from bumpless.metrics.columns import Columns, Floats, dots, lengths
 
 if TYPE_CHECKING:
     from bumpless.config.mission.model import Target
@@ -74,7 +74,7 @@ def points_of(vehicle: "Vehicle") -> Floats:
 def _reach(vehicle: "Vehicle", body: Body) -> float:
     """No farther than this is the axis from the marker when a point of the hull is in the dock, m."""
     corner = hypot(body.length_m, sqrt(2.0) * _half(vehicle, body))
-    return float(corner + np.linalg.norm(points_of(vehicle)[:, 1:], axis=1).max())
+    return float(corner + lengths(points_of(vehicle)[:, 1:]).max())
 
 
 def _half(vehicle: "Vehicle", body: Body) -> float:
@@ -113,5 +113,5 @@ def _ahead(eta: Floats) -> Floats:
 def _to_origin(nose: Floats, tail: Floats) -> Floats:
     """Distance of the origin from each line between the two."""
     along = nose - tail
-    share = np.clip(-np.sum(tail * along, axis=1) / np.sum(along**2, axis=1), 0.0, 1.0)
-    return np.linalg.norm(tail + share[:, None] * along, axis=1)
+    share = np.clip(-dots(tail, along) / dots(along, along), 0.0, 1.0)
+    return lengths(tail + share[:, None] * along)

@@ -6,7 +6,7 @@ import numpy as np
 
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.units import DEG
-from bumpless.metrics.columns import Columns, Floats
+from bumpless.metrics.columns import Columns, Floats, lengths
 
 
 @dataclass(frozen=True)
@@ -63,9 +63,9 @@ def wrapped_deg(angle: Floats) -> Floats:
 def _errors(eta: Floats, nu: Floats, point: Floats, run: Columns) -> Errors:
     off = eta[:, :3] - point
     return Errors(
-        position=np.linalg.norm(off, axis=1),
-        horizontal=np.linalg.norm(off[:, :2], axis=1),
+        position=lengths(off),
+        horizontal=lengths(off[:, :2]),
         depth=off[:, 2],
         heading=wrapped_deg(eta[:, 5] - run.heading),
-        speed=np.linalg.norm(nu[:, :3], axis=1),
+        speed=lengths(nu[:, :3]),
     )

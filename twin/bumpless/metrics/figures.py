@@ -25,12 +25,17 @@ def figures_of(
     *,
     run_id: str = "",
     limits: Limits = DOCKED,
+    checks: bool = True,
 ) -> Figures:
     """Metrics, which hold the outcome, and the outcome of a run that ended as `how`, for `reason`.
 
     mission: says where the dock stands; None where nobody knows. limits: what docked means.
+    checks: as in `metrics_of`.
     """
-    metrics, body = metrics_of(columns, vehicle, run_id), body_of(mission.target if mission else None)
+    metrics, body = (
+        metrics_of(columns, vehicle, run_id, checks=checks),
+        body_of(mission.target if mission else None),
+    )
     floor = floor_of(mission) if mission else None
     outcome = outcome_of(columns, vehicle, how, reason, body, limits, floor)
     metrics.outcome.CopyFrom(outcome.message())

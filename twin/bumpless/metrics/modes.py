@@ -1,5 +1,6 @@
 """How steadily the vehicle flew in each mode."""
 
+import itertools
 from dataclasses import dataclass
 
 import numpy as np
@@ -28,21 +29,22 @@ def mode_figures(run: Columns, residual: Floats) -> list[ModeFigures]:
 
     Source: Gao et al. 2026, tables A5 and A6.
     """
-    edges = np.flatnonzero(np.diff(run.mode)) + 1
-    stays = np.split(np.arange(len(run)), edges)
+    edges = [0, *(np.flatnonzero(np.diff(run.mode)) + 1).tolist(), len(run)]
+    stays = [slice(a, b) for a, b in itertools.pairwise(edges)]
+    modes = [int(run.mode[s.start]) for s in stays]
     return [
-        _figures(run, residual, mode, [s for s in stays if run.mode[s[0]] == mode])
-        for mode in np.unique(run.mode)
+        _figures(run, residual, mode, [s for s, flown in zip(stays, modes, strict=True) if flown == mode])
+        for mode in sorted(set(modes))
     ]
 
 
-def _figures(run: Columns, residual: Floats, mode: int, stays: list[np.ndarray]) -> ModeFigures:
-    rows = np.concatenate(stays)
+def _figures(run: Columns, residual: Floats, mode: int, stays: list[slice]) -> ModeFigures:
+    rows = stays[0] if len(stays) == 1 else np.concatenate([np.arange(s.start, s.stop) for s in stays])
     depth = [run.depth[s] for s in stays]
-    attitude = [np.unwrap(run.eta_hat[s, 3:6], axis=0) for s in stays]
+    attitude = [_unwrapped(run.eta_hat[s, 3:6]) for s in stays]
     return ModeFigures(
-        mode=int(mode),
-        samples=len(rows),
+        mode=mode,
+        samples=sum(map(len, depth)),
         depth_rms=float(_rms(np.concatenate([d - d.mean() for d in depth]))),
         depth_peak_to_peak=float(max(np.ptp(d) for d in depth)),
         attitude_rms=_rms(np.concatenate([a - a.mean(axis=0) for a in attitude])),
@@ -51,6 +53,12 @@ def _figures(run: Columns, residual: Floats, mode: int, stays: list[np.ndarray])
         residual_rms=float(_rms(residual[rows])),
         tracking=tracking(run, rows),
     )
+
+
+def _unwrapped(angles: Floats) -> Floats:
+    """Angles (n, 3) without jumps, rad; NumPy looks for them at length."""
+    jumps = np.abs(np.diff(angles, axis=0)) >= np.pi
+    return np.unwrap(angles, axis=0) if jumps.any() else angles
 
 
 def _rms(values: Floats) -> Floats:

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from bumpless.metrics.columns import Columns, Floats
+from bumpless.metrics.columns import Columns, Floats, lengths
 
 WINDOW_S = 2.0  # on either side of a switch
 AFTER_RAMP_S = 15.0  # past the end of the switch's ramp; what a ramp defers falls in here
@@ -57,11 +57,13 @@ def switch_steps(run: Columns, bounds: Floats, edge: Floats) -> list[SwitchSteps
     steps = np.zeros_like(run.u)
     steps[1:] = np.diff(run.u, axis=0)
     steps[~run.follows] = 0.0
-    found = []
+    found: list[SwitchSteps] = []
+    changes = None
     for row in np.flatnonzero(np.diff(run.mode)) + 1:
         if not run.follows[row]:
             found.append(_unseen(run, int(row)))
             continue
+        changes = changes or _Changes.of(run, steps / bounds)
         near = np.abs(run.time - run.time[row]) <= WINDOW_S + 1e-9
         du = steps[near]
         found.append(
@@ -69,10 +71,10 @@ def switch_steps(run: Columns, bounds: Floats, edge: Floats) -> list[SwitchSteps
                 row=int(row),
                 from_mode=int(run.mode[row - 1]),
                 to_mode=int(run.mode[row]),
-                normalised=float(np.linalg.norm(du / bounds, axis=1).max()),
-                raw=float(np.linalg.norm(du * edge, axis=1).max()),
+                normalised=float(lengths(du / bounds).max()),
+                raw=float(lengths(du * edge).max()),
                 per_actuator=np.abs(du * edge).max(axis=0),
-                settling=_settling(run, steps / bounds, int(row)),
+                settling=_settling(run, changes, int(row)),
             )
         )
     return found
@@ -86,7 +88,25 @@ def _unseen(run: Columns, row: int) -> SwitchSteps:
     return SwitchSteps(row, *change, no, no, none, Settling(no, no, no, no, no, no))
 
 
-def _settling(run: Columns, du: Floats, row: int) -> Settling:
+@dataclass(frozen=True)
+class _Changes:
+    """From one cycle to the next, over a whole run; 0 after a gap."""
+
+    command: Floats  # (n, n_u) over its bound
+    wrench: Floats  # (n, 6) of the plant's true wrench
+    acceleration: Floats  # (n, 6)
+
+    @classmethod
+    def of(cls, run: Columns, command: Floats) -> "_Changes":
+        before = np.concatenate([[False], run.follows[:-1]])  # an acceleration needs two cycles
+        return cls(
+            command,
+            _changes(run.tau, run.follows),
+            _changes(_accelerations(run), run.follows & before),
+        )
+
+
+def _settling(run: Columns, changes: _Changes, row: int) -> Settling:
     left = np.flatnonzero(run.mode[row:] != run.mode[row])
     last = row + int(left[0]) if len(left) else len(run)  # the first row of another mode
     ramped = np.flatnonzero(run.kappa[row:last] >= 1.0)
@@ -94,15 +114,14 @@ def _settling(run: Columns, du: Floats, row: int) -> Settling:
         until = run.time[row + int(ramped[0])] + AFTER_RAMP_S + 1e-9
         last = row + int(np.count_nonzero(run.time[row:last] <= until))
     stay = slice(row, last)
-    before = np.concatenate([[False], run.follows[:-1]])  # an acceleration needs two cycles, its step three
-    step, jerk = _changes(run.tau, run.follows), _changes(_accelerations(run), run.follows & before)
+    step, jerk = changes.wrench[stay], changes.acceleration[stay]
     return Settling(
         seconds=float(run.time[last - 1] - run.time[row]),
-        normalised=_largest(du[stay]),
-        force=_largest(step[stay, :3]),
-        moment=_largest(step[stay, 3:]),
-        acceleration=_largest(jerk[stay, :3]),
-        angular_acceleration=_largest(jerk[stay, 3:]),
+        normalised=_largest(changes.command[stay]),
+        force=_largest(step[:, :3]),
+        moment=_largest(step[:, 3:]),
+        acceleration=_largest(jerk[:, :3]),
+        angular_acceleration=_largest(jerk[:, 3:]),
     )
 
 
@@ -119,7 +138,7 @@ def _accelerations(run: Columns) -> Floats:
 
 def _largest(steps: Floats) -> float:
     """Norm of the largest row; NaN when any is."""
-    return float(np.linalg.norm(steps, axis=1).max())
+    return float(lengths(steps).max())
 
 
 def largest(steps: list[SwitchSteps], from_mode: int, to_mode: int) -> tuple[float, float]:

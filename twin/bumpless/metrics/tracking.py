@@ -16,7 +16,7 @@ class Tracking:
     largest: Floats  # (4,)
 
 
-def tracking(run: Columns, rows: np.ndarray) -> Tracking:
+def tracking(run: Columns, rows: np.ndarray | slice) -> Tracking:
     """Over these rows; as believed, for that is what the loop can answer for. Surge is over ground."""
     error = np.stack(
         [

@@ -9,7 +9,7 @@ that a neutrally buoyant body drifts with it.
 
 from math import cos, sin
 
-from bumpless.jit import inline, jit
+from bumpless.jit import inline
 
 
 @inline
@@ -85,11 +85,12 @@ def displaced_water_force(model, acceleration, out):
     out[5] += r[0] * y - r[1] * x
 
 
-@jit
+@inline
 def body_acceleration(model, eta, nu, nu_r, nu_c_dot, tau, force, out):
     """out (6,) = nu' from total applied wrench tau; `force` (6,) is scratch space.
 
     nu_c_dot (6,): rate of the current's velocity as seen in body axes, [-omega x v_c + R^T v_c'; 0].
+    Part of its callers, so that sine and cosine of roll and pitch are taken once with theirs.
     Source: Gao et al. 2026, eq. (1)-(5).
     """
     for i in range(6):

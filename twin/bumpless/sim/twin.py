@@ -57,6 +57,13 @@ def one(dtype: np.dtype) -> np.ndarray:
     return np.zeros(1, dtype)
 
 
+def bytes_of(record: np.ndarray, name: str) -> np.ndarray:
+    """The bytes of one field of an array of one record."""
+    fields: Any = record.dtype.fields
+    begin = fields[name][1]
+    return record.view(np.uint8)[begin : begin + record.dtype[name].itemsize]
+
+
 def new_log(cycles: int) -> np.ndarray:
     """Empty LOG rows for `Twin.fly`, shape (cycles,)."""
     return np.zeros(cycles, LOG)
@@ -79,6 +86,8 @@ class Twin:
         self.onboard, self.world = self._onboard[0], self._world[0]
         self._orders, self._state = self.onboard["orders"], self.onboard["state"]
         self._settings = self.onboard["settings"]
+        self._settings_bytes = bytes_of(self._onboard, "settings")
+        self._filled = self._settings_bytes[:0]  # what `parameters` came to
         self._row, self._last = one(LOG), one(LOG)
         # NumPy copies a record field by field, bytes at once: 85 and 2 us
         self._row_bytes, self._last_bytes = self._row.view(np.uint8), self._last.view(np.uint8)
@@ -97,8 +106,12 @@ class Twin:
         return int(self._orders["phase"])
 
     def _adopt(self, parameters: Parameters) -> None:
+        if len(self._filled) and parameters is self.parameters:  # a campaign's flights have them in common
+            self._settings_bytes[:] = self._filled
+            return
         self.parameters = parameters
         fill_settings(self._settings, self.vehicle, parameters)
+        self._filled = self._settings_bytes.copy()
         self.onboard["model"]["smoothing"] = parameters.allocation.shaft_smoothing
         self.onboard["model"]["fins_coast"] = not parameters.allocation.fins_brake
         solver = parameters.allocation.solver
