@@ -120,8 +120,15 @@ def draft_ahead_and_apply(page: Page, other: Page) -> None:
 def explain_the_switch(page: Page) -> None:
     """The log says of the switch to reverse what was true and what would have prevented it."""
     show(page, "Live")
-    switch = page.get_by_role("log").get_by_role("listitem").filter(has_text="to reverse")
-    expect(switch.first).to_be_visible(timeout=FLIES_MS)
+    switch = page.get_by_role("log").get_by_role("listitem").filter(has_text="to reverse").first
+    expect(switch).to_be_visible(timeout=FLIES_MS)
+    switch.locator("summary").click()
+    facts = switch.locator("dl")
+    expect(facts).to_contain_text("would have been prevented by")
+    expect(facts).not_to_contain_text("not told")
+    expect(facts).to_contain_text(re.compile(r"range, target\s*\d+\.\d+ m, seen"))
+    expect(switch.get_by_role("img", name="Transition factor and weights")).to_be_visible(timeout=FLIES_MS)
+    expect(facts).to_contain_text(re.compile(r"step of the commands\s*0\.\d{4} , last run's 0\.\d{4}"))
 
 
 def replay(page: Page) -> str:

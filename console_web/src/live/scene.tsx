@@ -42,15 +42,16 @@ export function Scene({ hidden }: { hidden: boolean }) {
         <h2>Scene</h2>
         <span class="unit">NED</span>
         <span class="grow" />
-        <button
-          type="button"
-          class="quiet small"
-          aria-pressed={ruler.value}
-          title="From vehicle to dock; a click in the scene measures to what is clicked, the next one on from there"
-          onClick={() => void rule()}
-        >
-          Ruler
-        </button>
+        <span class="segments">
+          <button
+            type="button"
+            aria-pressed={ruler.value}
+            title="From vehicle to dock; a click in the scene measures to what is clicked, the next one on from there"
+            onClick={() => void rule()}
+          >
+            Ruler
+          </button>
+        </span>
         <Segments
           name="Camera"
           choices={CAMERAS}

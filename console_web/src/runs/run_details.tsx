@@ -135,15 +135,12 @@ function Pieces({ run }: { run: RunSummary }) {
 }
 
 function Delete({ run }: { run: RunSummary }) {
-  const recording = run.state === "recording";
   return (
     <DeleteButton
       name={`Delete run ${run.id}`}
       holdMs={1000}
-      disabled={recording}
-      title={
-        recording ? "A run being recorded cannot be deleted" : "Press and hold to put the record into the bin"
-      }
+      why={run.state === "recording" ? "A run being recorded cannot be deleted" : ""}
+      title="Press and hold to put the record into the bin"
       remove={() => throwAway(run.id)}
       after={() => runs.refresh()}
     />

@@ -8,6 +8,7 @@ import { CompareView } from "../compare/compare_view";
 import { MOST } from "../compare/compared";
 import { bytes, clock, dateTime } from "../lib/format";
 import { address, go } from "../shell/address";
+import { ActButton } from "../ui/act_button";
 import { ENDINGS } from "../ui/endings";
 import { DownloadIcon } from "../ui/icons";
 import { Main } from "../ui/main";
@@ -81,15 +82,13 @@ function List() {
               }}
             />
             <BringIn />
-            <button
-              type="button"
+            <ActButton
               class="action small"
-              disabled={marked.value.length < 2}
-              title="Mark two to six runs in the list"
-              onClick={() => go("runs", "", { compare: marked.value.join() })}
+              why={marked.value.length < 2 ? "Mark two to six runs in the list first" : ""}
+              onAct={() => go("runs", "", { compare: marked.value.join() })}
             >
               Compare {marked.value.length || ""}
-            </button>
+            </ActButton>
             <span class="muted num">{sorted.length || ""}</span>
           </>
         }
@@ -170,6 +169,7 @@ function Row({ run, chosen, marked, onMark, onChoose }: RowProps) {
           aria-label={`Mark ${run.id} to compare`}
           checked={marked}
           disabled={run.state === "recording"}
+          title={run.state === "recording" ? "A run being recorded can't be compared yet" : undefined}
           onClick={(event) => event.stopPropagation()}
           onChange={onMark}
         />

@@ -1,5 +1,6 @@
 // Filters of the list by a name, kept in this browser.
 import { signal } from "@preact/signals";
+import { ActButton } from "../ui/act_button";
 import type { Filter } from "./filter";
 
 const KEY = "bumpless.run_views";
@@ -70,15 +71,14 @@ export function SavedViews({ filter, onChoose }: Props) {
         ))}
       </select>
       {named === undefined ? (
-        <button
-          type="button"
+        <ActButton
           class="action small"
-          disabled={empty}
+          why={empty ? "Search for something or choose an outcome first" : ""}
           title="Keep this search and outcome as a view"
-          onClick={() => keep({ ...views.value, [nameOf(filter)]: filter })}
+          onAct={() => keep({ ...views.value, [nameOf(filter)]: filter })}
         >
           Save view
-        </button>
+        </ActButton>
       ) : (
         <button
           type="button"
