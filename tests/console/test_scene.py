@@ -158,9 +158,12 @@ def test_a_ruler_measures_in_its_own_picture_from_click_to_click(
     """From vehicle to dock as it is laid down, then to what is clicked; other operators see none of it."""
     _open(page, served)
     _fly_until(page, flight, pb.MODE_FORWARD, lambda p: _share(p, palette.FORWARD) > 5e-4)
-    asked = {"data": {"on": True}, "headers": {"Origin": served.origin}}
-    laid = page.request.post(f"{served.origin}/api/scene/ruler", **asked)
-    assert laid.json() == {"on": True, "viewers": 1}
+
+    def lay(on: bool) -> object:
+        address, headers = f"{served.origin}/api/scene/ruler", {"Origin": served.origin}
+        return page.request.post(address, data={"on": on}, headers=headers).json()
+
+    assert lay(True) == {"on": True, "viewers": 1}
     cameras = served.scene.cameras
     (ruler,) = cameras.rulers()
     expected = 26.0 - cameras.places.vehicle[0]
@@ -168,8 +171,7 @@ def test_a_ruler_measures_in_its_own_picture_from_click_to_click(
     before = ruler.ends
     _until(page, lambda: not page.mouse.click(320, 290) and ruler.ends != before)
     assert ruler.ends[0].thing == "vehicle" and ruler.ends != before
-    asked["data"] = {"on": False}
-    assert page.request.post(f"{served.origin}/api/scene/ruler", **asked).json()["viewers"] == 1
+    assert lay(False) == {"on": False, "viewers": 1}
     assert not cameras.rulers()
 
 

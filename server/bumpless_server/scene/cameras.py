@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from bumpless_server.scene.labels import Box, Labelled, box_of, spread
+from bumpless_server.scene.labels import RULER, Box, Labelled, box_of, spread
 from bumpless_server.scene.places import Places
 from bumpless_server.scene.ruler import Ruler, picked
 
@@ -206,7 +206,7 @@ class Cameras:
             label = viewer.ruler.label
             box = box_of(label, np.asarray(label.position, float) + offset, camera)
             if box is not None:
-                boxes["/view/ruler_label"] = box
+                boxes[RULER] = box
         return boxes
 
     def views(self) -> list[str]:

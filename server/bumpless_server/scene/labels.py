@@ -13,8 +13,9 @@ import numpy as np
 EM_PX = 12.0  # viser's: an em at scale 1, in a picture of any height
 WIDTH_EM, HEIGHT_EM = 0.56, 1.4  # of a letter, of a line with its ground
 APART_PX = 4.0  # a hidden label comes back once this much clear
+RULER = "/view/ruler_label"  # each browser's own, and asked for: it never makes way
 # What matters first. A label whose name holds none of these comes last.
-RANKS = ("status", "target/", "ruler", "error", "observation", "ring_", "current", "title", "axis_", "plane")
+RANKS = (RULER, "status", "target/", "error", "observation", "ring_", "current", "title", "axis_", "plane")
 
 
 @dataclass(frozen=True)
@@ -113,7 +114,7 @@ def box_of(label: Any, at: np.ndarray, camera: Any) -> Box | None:
     if abs(below) > 0.6 * height or abs(across) > 0.6 * height * float(camera.aspect):
         return None
     em = EM_PX * label.font_screen_scale
-    wide, tall = (0.2 + WIDTH_EM * len(label.text)) * em, HEIGHT_EM * em
+    wide, tall = (0.6 + WIDTH_EM * len(label.text)) * em, HEIGHT_EM * em
     vertical, horizontal = label.anchor.split("-")
     left = across - {"left": 0.0, "center": 0.5, "right": 1.0}[horizontal] * wide
     top = below - {"top": 0.0, "center": 0.5, "bottom": 1.0}[vertical] * tall

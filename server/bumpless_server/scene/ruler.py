@@ -12,11 +12,13 @@ from typing import Any
 import numpy as np
 
 from bumpless_server.scene import palette
+from bumpless_server.scene.labels import RULER
 from bumpless_server.scene.places import Places
 
 VEHICLE, DOCK, POINT = "vehicle", "dock", "observation point"
 NEAR_RAD = radians(2.2)  # a click this close to a thing means the thing
 FARTHEST_M = 2000.0
+IN_SIGHT_M = 1.2  # from the vehicle: a camera that follows it sees no more
 
 
 @dataclass(frozen=True)
@@ -56,6 +58,15 @@ def _place(at: np.ndarray) -> tuple[float, float, float]:
     return north, east, down
 
 
+def beside(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """Where the words stand: in the middle, but near the vehicle where it is an end, and so in sight."""
+    near, far = (a, b) if np.linalg.norm(a) <= np.linalg.norm(b) else (b, a)
+    half, length = 0.5 * (far - near), float(np.linalg.norm(far - near))
+    if float(np.linalg.norm(near)) > 1e-6 or length <= 2.0 * IN_SIGHT_M:
+        return near + half
+    return IN_SIGHT_M / length * (far - near)
+
+
 def ruler_text(start: np.ndarray, end: np.ndarray) -> str:
     """Distance, level distance with bearing, and depth between two places in NED, m."""
     north, east, down = (float(v) for v in end - start)
@@ -83,7 +94,7 @@ class Ruler:
             thickness_units="screen",
             visible=False,
         )
-        self.label = scene.add_label("/view/ruler_label", "", anchor="bottom-center", visible=False)
+        self.label = scene.add_label(RULER, "", anchor="top-center", visible=False)
 
     def remove(self) -> None:
         """Take it out of the scene."""
@@ -105,6 +116,6 @@ class Ruler:
             return
         a, b = start - places.vehicle, end - places.vehicle
         self.line.points = np.array([[a, b]])
-        self.label.position = tuple(float(v) for v in 0.5 * (a + b))
+        self.label.position = tuple(float(v) for v in beside(a, b))
         self.label.text = ruler_text(start, end)
         self.line.visible = self.label.visible = True

@@ -1,9 +1,10 @@
 """The ruler: what a click means, and what it says."""
 
 import numpy as np
+import pytest
 
 from bumpless_server.scene.places import Places
-from bumpless_server.scene.ruler import DOCK, VEHICLE, End, Ruler, picked, ruler_text
+from bumpless_server.scene.ruler import DOCK, IN_SIGHT_M, VEHICLE, End, Ruler, picked, ruler_text
 
 PLACES = Places(
     vehicle=np.array([10.0, 0.0, 3.0]),
@@ -64,6 +65,7 @@ def test_it_begins_at_the_dock_and_then_measures_on_from_click_to_click() -> Non
     ruler = Ruler(Paper())
     ruler.draw(PLACES)
     assert ruler.line.visible and ruler.label.text.startswith("16.12 m")
+    assert np.linalg.norm(ruler.label.position) == pytest.approx(IN_SIGHT_M), "seen though the dock is far"
     ruler.pick(End(place=(10.0, 3.0, 3.0)))
     ruler.draw(PLACES)
     assert ruler.label.text == "3.00 m · level 3.00 m to 090°"
