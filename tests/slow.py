@@ -34,6 +34,7 @@ SLOW = (
     "tests/server/foresight/test_foresight.py",
     "tests/server/keys",
     "tests/server/live/test_gaps.py",
+    "tests/server/live/test_holder_lost.py",
     "tests/server/live/test_real_node.py",
     "tests/server/live/test_strangers.py",
     "tests/server/runs/test_recording.py",
@@ -41,6 +42,7 @@ SLOW = (
     "tests/server/vehicle_process/test_supervise.py",
     "tests/server/web/test_commanding.py",
     "tests/server/web/test_export_api.py",
+    "tests/server/web/test_flight_api.py",
     "tests/server/web/test_missions_api.py",
     "tests/trust",
     # tens of thousands of problems, and code compiled anew

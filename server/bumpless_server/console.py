@@ -52,8 +52,10 @@ from bumpless_server.plan.presets import Presets
 from bumpless_server.runs.catalogue import Catalogue
 from bumpless_server.runs.disk_budget import DiskBudget
 from bumpless_server.runs.errands import Errands
+from bumpless_server.runs.flights import Flights
 from bumpless_server.runs.recorder import Recorder
 from bumpless_server.runs.replays import Replays
+from bumpless_server.runs.run_views import RunViews
 from bumpless_server.runs.shelf import Shelf
 from bumpless_server.runs.watch import FolderWatch
 from bumpless_server.scene.ghosts import Ghosts
@@ -86,10 +88,12 @@ class Console:
         self.foresight = Foresight(self._present, charts=self.data.charts)  # on the web's loop, which ends it
         self.catalogue = Catalogue(self.data.runs, self.data.index)
         self.replays = Replays()
+        self.flights = Flights()
         self.errands = Errands(self.data.scratch)
         self.what_if = WhatIfDesk()  # on the web's loop, which ends it
         self.ghosts = Ghosts()  # for the scene
         self.revisions = Revisions(self.data.revisions)
+        self.run_views = RunViews(self.data.run_views)
         self.shelf = Shelf(self.data.words, self.data.run_bin)
         self.budget = DiskBudget(
             self.data.runs,
@@ -185,7 +189,7 @@ class Console:
             stack.callback(self.alarms.stop)
             stack.callback(self.bus.close)
             self.bus.open()
-            heart = Heart(self.bus.beat)
+            heart = Heart(self._beat)
             heart.start()
             stack.callback(heart.stop)
             indexing = threading.Thread(target=self._index, name="catalogue", daemon=True)
@@ -305,6 +309,9 @@ class Console:
         """Twice a second, on the dispatcher's thread."""
         self.lease.tick()
         return self.status()
+
+    def _beat(self) -> None:
+        self.bus.beat(self.lease.present())
 
     def _control(self, state: pb.ControlHolder) -> None:
         payload = state.SerializeToString()

@@ -27,6 +27,7 @@ class DataDir:
         self.limits = root / "limits"
         self.run_bin = root / "run_bin"
         self.words = root / "words.json"
+        self.run_views = root / "run_views.json"
         self.scratch = root / "scratch"
         self.revisions = root / "revisions.jsonl"
         self.alarms = root / "alarms.json"

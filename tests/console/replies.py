@@ -160,6 +160,8 @@ def default_replies(server: ContractServer) -> None:
     server.reply("GET", "presets/calm-sea", calm)
     server.reply("GET", "runs", [run(OLD_RUN_ID, "docking_current", "complete", "duration reached", "held")])
     server.reply("GET", f"runs/{OLD_RUN_ID}/metrics", as_json(metrics()))
+    server.reply("GET", f"runs/{OLD_RUN_ID}/flight", whole(OLD_RUN_ID))
+    server.reply("GET", "run-views", [])
     server.reply("GET", f"runs/{OLD_RUN_ID}/log.mcap", b"\x89MCAP0\r\n")
     server.reply("GET", "diagnostics", diagnostics())
     server.reply("GET", "audit", audit())
@@ -241,6 +243,7 @@ def run(run_id: str, name: str, state: str, end_reason: str, outcome: str | None
     return {
         "id": run_id,
         "run_id": run_id,
+        "piece": 1,
         "mission": name,
         "mission_sha256": "0" * 64,
         "vehicle": "ts100",
@@ -257,7 +260,22 @@ def run(run_id: str, name: str, state: str, end_reason: str, outcome: str | None
         "title": "",
         "tags": [],
         "note": "",
+        "seed": 7,
+        "parameters_sha256": "ab" * 32,
+        "software_version": "0.1.0",
         "outcome_reason": "in hover, truly 0.21 m from the observation point." if outcome else "",
+    }
+
+
+def whole(run_id: str) -> dict[str, Any]:
+    """A flight in one file, with its figures."""
+    return {
+        "id": run_id,
+        "pieces": [{"id": run_id, "first_s": 0.0, "last_s": 90.0, "pace_s": 0.05}],
+        "gaps": [],
+        "outcome": "held",
+        "outcome_reason": "in hover, truly 0.21 m from the observation point.",
+        "metrics": as_json(metrics()),
     }
 
 

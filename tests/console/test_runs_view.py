@@ -1,11 +1,15 @@
-"""Runs: the list, the file while and after it is written, the metrics, a deletion that is meant."""
+"""Runs: flights and their files, the list and its views, the metrics, a deletion that is meant."""
+
+import json
+import re
+from typing import Any
 
 from playwright.sync_api import Page, expect
 
 from tests.console import flight
 from tests.console.conftest import show
 from tests.console.contract_server import ContractServer
-from tests.console.replies import OLD_RUN_ID, RUN_ID, run
+from tests.console.replies import OLD_RUN_ID, RUN_ID, run, whole
 
 
 def test_a_finished_run_shows_its_metrics_and_can_be_downloaded(console: Page) -> None:
@@ -61,7 +65,7 @@ def test_a_run_being_recorded_grows_and_cannot_be_deleted(console: Page, server:
     row = console.get_by_label("Runs", exact=True).get_by_role("row").nth(1)
     expect(row).to_contain_text("recording")
     expect(row).to_contain_text("00:35")
-    expect(row).to_contain_text("2.3 MB")
+    expect(console.get_by_label("docking", exact=True)).to_contain_text("Size2.3 MB")
     expect(console.get_by_role("button", name=f"Delete run {RUN_ID}")).to_be_disabled()
     expect(console.get_by_text("Metrics are computed when the run ends.")).to_be_visible()
 
@@ -79,3 +83,117 @@ def test_a_run_is_deleted_by_holding(console: Page, server: ContractServer) -> N
     server.wait_for_call("DELETE", f"runs/{OLD_RUN_ID}")
     console.mouse.up()
     expect(console.get_by_text("No runs yet.")).to_be_visible()
+
+
+def in_pieces() -> list[dict[str, Any]]:
+    """A flight in three files: cut off by a crash, gone on, and the hold after it."""
+    first = run(OLD_RUN_ID, "docking", "interrupted", "the recording was cut off", "interrupted")
+    second = run(f"{OLD_RUN_ID}.2", "docking", "complete", "duration reached", "docked")
+    third = run(f"{OLD_RUN_ID}.3", "docking", "complete", "told to stop")
+    for number, one in enumerate((first, second, third), 1):
+        one |= {"run_id": OLD_RUN_ID, "piece": number, "bytes": number * 1_000_000}
+    return [third, second, first]
+
+
+def told_in_pieces() -> dict[str, Any]:
+    """What the server makes of them."""
+    names = (OLD_RUN_ID, f"{OLD_RUN_ID}.2", f"{OLD_RUN_ID}.3")
+    spans = ((0.0, 20.0), (32.5, 90.0), (91.0, 300.0))
+    pieces = [
+        {"id": n, "first_s": a, "last_s": b, "pace_s": 0.05} for n, (a, b) in zip(names, spans, strict=True)
+    ]
+    gaps = [{"first_s": 20.0, "last_s": 32.5}]
+    return whole(OLD_RUN_ID) | {"pieces": pieces, "gaps": gaps, "outcome": "docked"}
+
+
+def test_a_flight_in_pieces_is_one_line_and_its_files_are_still_there(
+    console: Page, server: ContractServer
+) -> None:
+    """Protects people from three half flights, and tools from losing a file; the gap is told."""
+    server.reply("GET", "runs", in_pieces())
+    server.reply("GET", f"runs/{OLD_RUN_ID}/flight", told_in_pieces())
+    show(console, "Runs")
+    rows = console.get_by_role("region", name="Runs").locator("tbody tr")
+    expect(rows).to_have_count(1)
+    expect(rows).to_contain_text("docked")
+    expect(rows).to_contain_text("3 pieces")
+    about = console.get_by_label("docking", exact=True)
+    expect(about).to_contain_text("12.5 s of it were not recorded (T+00:20 to 00:32)")
+    files = about.get_by_role("table", name="Files of this flight").get_by_role("row")
+    expect(files).to_have_count(3)
+    expect(files.nth(2)).to_contain_text("hold")
+    expect(about.get_by_role("link", name=f"Download {OLD_RUN_ID}.2 as MCAP")).to_be_visible()
+    about.get_by_label("File to export").select_option("2")
+    expect(about.get_by_role("link", name="Export")).to_have_attribute(
+        "href", re.compile(rf"{OLD_RUN_ID}\.2/export")
+    )
+
+
+def test_a_flight_is_thrown_away_and_taken_back_with_all_its_files(
+    console: Page, server: ContractServer
+) -> None:
+    """Protects a flight from being left half in the bin."""
+    names = [OLD_RUN_ID, f"{OLD_RUN_ID}.2", f"{OLD_RUN_ID}.3"]
+    server.reply("GET", "runs", in_pieces())
+    server.reply("GET", f"runs/{OLD_RUN_ID}/flight", told_in_pieces())
+    for name in names:
+        server.reply("DELETE", f"runs/{name}", None)
+        server.reply("POST", f"bin/{name}/restore", None)
+    show(console, "Runs")
+    console.get_by_role("button", name=f"Delete run {OLD_RUN_ID}").hover()
+    console.mouse.down()
+    server.wait_for_call("DELETE", f"runs/{OLD_RUN_ID}")
+    console.mouse.up()
+    assert [len(server.calls_of("DELETE", f"runs/{name}")) for name in names] == [1, 1, 1]
+    expect(console.get_by_text("and 2 more of its pieces are in the bin")).to_be_visible()
+    console.get_by_role("button", name="Undo").click()
+    for name in names:
+        server.wait_for_call("POST", f"bin/{name}/restore")
+    expect(console.get_by_role("button", name="Undo")).to_have_count(0)
+
+
+def test_a_view_is_kept_for_all_and_forgotten_with_a_way_back(console: Page, server: ContractServer) -> None:
+    """Protects what a crew agreed to look at: search, outcome and columns under one name, by keyboard too."""
+    view = {
+        "words": "sea",
+        "outcome": "held",
+        "columns": ["recorded", "seed"],
+        "author": "Ada",
+        "name": "Sea",
+    }
+    server.reply("PUT", "run-views/Sea", view)
+    server.reply("DELETE", "run-views/Sea", None)
+    show(console, "Runs")
+    table = console.get_by_role("region", name="Runs")
+    console.get_by_role("button", name="View: all runs").press("Enter")
+    menu = console.get_by_role("group", name="Views of the list")
+    expect(menu).to_contain_text("No view yet.")
+    menu.get_by_label("Seed").check()
+    for column in ("Duration", "Closest", "Steps"):
+        menu.get_by_label(column).uncheck()
+    heads = ["Mark to compare", "Outcome", "Mission", "Recorded", "Seed", "Download"]
+    expect(table.get_by_role("columnheader")).to_have_text(heads)
+    console.get_by_label("Search in runs").fill("sea")
+    console.get_by_label("Outcome", exact=True).select_option("held")
+    expect(console.get_by_role("button", name="View: not saved")).to_be_visible()
+    server.reply("GET", "run-views", [view])
+    menu.get_by_label("Name of the view").fill("Sea")
+    menu.get_by_role("button", name="Save view").click()
+    call = server.wait_for_call("PUT", "run-views/Sea")
+    assert json.loads(call.body) == {key: view[key] for key in ("words", "outcome", "columns")}
+    expect(console.get_by_role("button", name="View: Sea")).to_be_visible()
+    menu.get_by_role("button", name="all runs").click()
+    expect(console.get_by_label("Search in runs")).to_have_value("")
+    menu.get_by_role("button", name="Sea", exact=True).click()
+    expect(console.get_by_label("Search in runs")).to_have_value("sea")
+    server.reply("GET", "run-views", [])
+    menu.get_by_role("button", name="Forget the view Sea").click()
+    server.wait_for_call("DELETE", "run-views/Sea")
+    expect(menu).to_contain_text("View Sea is forgotten, for all.")
+    server.reply("GET", "run-views", [view])
+    menu.get_by_role("button", name="Undo").click()
+    expect(menu.get_by_role("button", name="Forget the view Sea")).to_be_visible()
+    assert len(server.calls_of("PUT", "run-views/Sea")) == 2
+    console.keyboard.press("Escape")
+    expect(menu).to_have_count(0)
+    expect(console.get_by_role("button", name="View: Sea")).to_be_focused()

@@ -16,6 +16,8 @@ export const MOMENTS: { value: Moment; name: string; about: string }[] = [
 ];
 export const MOST = 6;
 const ROWS = 900;
+/** As many times a run's usual step without a row are a gap. */
+const GAP_STEPS = 5;
 /** How runs are told apart beside their colour. */
 export const DASHES: number[][] = [[], [8, 4], [2, 3], [10, 3, 2, 3], [5, 5], [1, 2]];
 
@@ -77,14 +79,17 @@ export function lines(
   return [ticks.map((tick) => tick * step), ...tables.map((table) => filled(ticks, table))];
 }
 
-/** A run that is sampled more coarsely keeps its line between its own first and last row. */
+/** A run that is sampled more coarsely keeps its line from row to row, but over no gap of what was recorded. */
 function filled(ticks: number[], table: Map<number, number | null>): (number | null)[] {
-  const own = [...table.keys()];
-  const [first, last] = [Math.min(...own), Math.max(...own)];
+  const own = [...table.keys()].sort((a, b) => a - b);
+  const steps = own.slice(1).map((tick, k) => tick - (own[k] as number));
+  const usual = steps.toSorted((a, b) => a - b)[steps.length >> 1] ?? 1;
+  const [first, last] = [own[0] ?? 0, own.at(-1) ?? -1];
   let before: number | null = null;
+  let at = first;
   return ticks.map((tick) => {
     if (tick < first || tick > last) return null;
-    if (table.has(tick)) before = table.get(tick) ?? null;
-    return before;
+    if (table.has(tick)) [before, at] = [table.get(tick) ?? null, tick];
+    return tick - at < GAP_STEPS * usual ? before : null;
   });
 }

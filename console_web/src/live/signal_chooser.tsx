@@ -116,7 +116,7 @@ function GhostChoice() {
         <option value="">nothing</option>
         <option value={FORECAST}>the forecast of this mission</option>
         {(runs.value ?? [])
-          .filter(({ state }) => state !== "recording")
+          .filter(({ state, piece }) => state !== "recording" && piece <= 1)
           .map(({ id }) => (
             <option key={id} value={id}>
               {id}

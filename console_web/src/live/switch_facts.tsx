@@ -53,7 +53,8 @@ export function SwitchFacts({ event }: { event: Event }) {
 function LastRun({ event }: { event: Event }) {
   const told = useSignal("");
   const last = runs.value?.find(
-    ({ id, state }) => state === "complete" && !id.startsWith(screen.latest("tlm/mission")?.runId || "?"),
+    ({ id, state, outcome }) =>
+      state === "complete" && outcome && !id.startsWith(screen.latest("tlm/mission")?.runId || "?"),
   )?.id;
   const [from, to] = [event.details.from?.toUpperCase(), event.details.to?.toUpperCase()];
   useEffect(() => {

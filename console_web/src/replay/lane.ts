@@ -21,6 +21,7 @@ export function paintLane(replay: Replay, g: CanvasRenderingContext2D, width: nu
       g.fillRect(x(a - start), 0, Math.max(1, x(end - start) - x(a - start)), height * LANE);
     }
   }
+  for (const [from, to] of replay.gaps) hatch(g, x(from), x(to), height * LANE);
   for (const event of replay.every) {
     const at = x(event.stamp?.missionTimeS ?? 0);
     const alarm = event.severity >= Severity.ALARM;
@@ -28,4 +29,23 @@ export function paintLane(replay: Replay, g: CanvasRenderingContext2D, width: nu
     g.fillStyle = colour(alarm ? "--alarm" : event.code === "mode_switch" ? "--ink" : "--warning");
     g.fillRect(at - 1, event.code === "mode_switch" ? 0 : height * LANE + 1, 2, height * (1 - LANE) - 1);
   }
+}
+
+/** What was not recorded: no mode, and not nothing either. */
+function hatch(g: CanvasRenderingContext2D, from: number, to: number, height: number): void {
+  g.save();
+  g.beginPath();
+  g.rect(from, 0, Math.max(2, to - from), height);
+  g.clip();
+  g.fillStyle = colour("--well");
+  g.fillRect(from, 0, Math.max(2, to - from), height);
+  g.strokeStyle = colour("--warning");
+  g.lineWidth = 1.5;
+  g.beginPath();
+  for (let at = from - height; at < to + height; at += 6) {
+    g.moveTo(at, height);
+    g.lineTo(at + height, 0);
+  }
+  g.stroke();
+  g.restore();
 }

@@ -13,11 +13,14 @@ import type { MessageOf, TopicName } from "../stream/topics";
 import { framesOf, merged, rowsOf, type Sample, samplesOf } from "./frames";
 
 type About = components["schemas"]["ReplayAnswer"];
+export type Gap = readonly [from: number, to: number];
 
 const OVERVIEW = 900;
 const DETAIL_S = 120;
 const DETAIL = 1500;
 const DETAIL_AFTER_MS = 250;
+/** Mission times closer than this are of one cycle, s. */
+const STEP_S = 0.02;
 /** Seconds of the run in a block, at a speed of 1. */
 const BLOCK_S = 10;
 export const SPEEDS = [0.25, 0.5, 1, 2, 4, 8, 16] as const;
@@ -79,6 +82,21 @@ export class Replay implements Source {
     return this.about.value?.last_s ?? 0;
   }
 
+  /** What was not recorded, mission times. */
+  get gaps(): readonly Gap[] {
+    return (this.about.value?.gaps ?? []).map((gap) => [gap.first_s ?? 0, gap.last_s ?? 0] as const);
+  }
+
+  /** The gap that the playhead is in. */
+  readonly gap = computed(() => this.gaps.find(([from, to]) => this.t.value > from && this.t.value < to));
+
+  /** From one cycle to the next at a mission time: a hold is recorded more rarely than a mission, s. */
+  private paceAt(t: number): number {
+    const pieces = this.about.peek()?.pieces ?? [];
+    const piece = pieces.findLast(({ first_s }) => (first_s ?? 0) <= t) ?? pieces[0];
+    return piece?.pace_s ?? 0;
+  }
+
   latest<K extends TopicName>(name: K): MessageOf<K> | undefined {
     void this.now.value;
     return this.samples.get(name)?.message as MessageOf<K> | undefined;
@@ -92,7 +110,7 @@ export class Replay implements Source {
 
   isFresh(name: TopicName): boolean {
     const age = this.age(name);
-    return age !== undefined && age <= FRESH_FOR_S[name];
+    return age !== undefined && age <= Math.max(FRESH_FOR_S[name], 1.5 * this.paceAt(this.t.peek()));
   }
 
   /** Vehicle time at the playhead, s. */
@@ -226,8 +244,15 @@ export class Replay implements Source {
   private plot(detail: CycleRow[]): void {
     const step = (this.last - this.first) / Math.max(1, this.overview.length);
     this.history.clear();
-    this.history.gap = Math.max(GAP, 3 * step);
-    for (const row of merged(this.overview, detail)) this.history.append(row);
+    let before = Number.NaN;
+    for (const row of merged(this.overview, detail)) {
+      const t = row.missionTime;
+      if (this.gaps.some(([from, to]) => before <= from + STEP_S && t >= to - STEP_S))
+        this.history.breakOff();
+      this.history.gap = Math.max(GAP, 3 * step, 3 * this.paceAt(t));
+      this.history.append(row);
+      before = t;
+    }
     this.now.value++;
     this.plotted.value++;
   }

@@ -56,14 +56,23 @@ export function ReplayBar({ replay }: { replay: Replay }) {
   useKeys(replay);
   const run = runs.value?.find(({ id }) => id === replay.run);
   const t = replay.t.value;
+  const gap = replay.gap.value;
   return (
     <section class="replay-bar" aria-label="Replay">
       <p class="replay-what">
         <strong>Replay</strong>
         <span class="ellipsis" title={replay.run}>
-          {run?.mission || replay.run}
+          {run?.title || run?.mission || replay.run}
         </span>
         <span class="muted">recorded; nothing here is live</span>
+        {gap && (
+          <span class="replay-gap" role="status">
+            Not recorded from T+{clock(gap[0])} to {clock(gap[1])}: what is shown was said last before{" "}
+            <button type="button" class="action small" onClick={() => to(replay, gap[1])}>
+              Skip
+            </button>
+          </span>
+        )}
         <span class="grow" />
         {replay.trouble.value && <span class="lost">{replay.trouble.value}</span>}
         <a class="action small" href={href("runs", replay.run)}>

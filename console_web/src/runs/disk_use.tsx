@@ -9,7 +9,7 @@ export function DiskUse() {
   const bin = use.bin ? `, ${bytes(use.bin_bytes)} in the bin` : "";
   return (
     <p class="disk-use muted num">
-      {use.runs} {use.runs === 1 ? "run takes" : "runs take"} {bytes(use.runs_bytes)}
+      {use.runs} {use.runs === 1 ? "file takes" : "files take"} {bytes(use.runs_bytes)}
       {most}
       {bin}; {bytes(use.free_bytes)} free
     </p>

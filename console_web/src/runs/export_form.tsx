@@ -13,7 +13,8 @@ const KINDS = [
 type Kind = (typeof KINDS)[number]["value"];
 const NUMBER = /^\s*-?\d+([.,]\d+)?\s*$/;
 
-export function ExportForm({ run }: { run: RunSummary }) {
+export function ExportForm({ pieces }: { pieces: readonly RunSummary[] }) {
+  const file = useSignal(pieces[0]?.id ?? "");
   const kind = useSignal<Kind>("mcap");
   const from = useSignal("");
   const to = useSignal("");
@@ -28,11 +29,30 @@ export function ExportForm({ run }: { run: RunSummary }) {
   if (first !== undefined) query.set("from_s", String(first));
   if (last !== undefined) query.set("to_s", String(last));
   if (table) for (const name of signals.value.split(/[\s,]+/).filter(Boolean)) query.append("signal", name);
-  const href = `${address("/api/runs/{run}/export", { run: run.id })}?${query}`;
+  const href = `${address("/api/runs/{run}/export", { run: file.value })}?${query}`;
   const about = KINDS.find(({ value }) => value === kind.value)?.about;
   return (
     <fieldset class="export">
       <legend class="sr">Export</legend>
+      {pieces.length > 1 && (
+        <label>
+          <span class="muted">File</span>
+          <select
+            class="small"
+            aria-label="File to export"
+            value={file.value}
+            onChange={(event) => {
+              file.value = event.currentTarget.value;
+            }}
+          >
+            {pieces.map(({ id, piece }) => (
+              <option key={id} value={id}>
+                {piece}
+              </option>
+            ))}
+          </select>
+        </label>
+      )}
       <label>
         <span class="muted">As</span>
         <select

@@ -1,12 +1,13 @@
 import { describe, expect, it } from "vitest";
 import type { RunSummary } from "../api/types";
-import { isPiece, shownRuns } from "./filter";
-import { viewsOf } from "./saved_views";
+import { shownFlights } from "./filter";
+import { asOne, flightsOf } from "./flights";
 
 const run = (id: string, more: Partial<RunSummary> = {}): RunSummary =>
   ({
     id,
     run_id: id,
+    piece: 1,
     mission: "docking",
     title: "",
     note: "",
@@ -19,11 +20,14 @@ const run = (id: string, more: Partial<RunSummary> = {}): RunSummary =>
     ...more,
   }) as RunSummary;
 
+const piece = (flight: string, number: number, more: Partial<RunSummary> = {}): RunSummary =>
+  run(number === 1 ? flight : `${flight}.${number}`, { run_id: flight, piece: number, bytes: 4, ...more });
+
 describe("the list of runs", () => {
   it("is sorted by the server's clock: a vehicle's of 1970 puts no run at the end", () => {
     const old = run("19700101T000000Z-a", { recorded: "2026-03-01T00:00:00Z" });
     const list = [run("20260101T000000Z-b"), old, run("20260102T000000Z-c", { state: "recording" })];
-    expect(shownRuns(list, { words: "", outcome: "" }).map(({ id }) => id)).toEqual([
+    expect(shownFlights(list, { words: "", outcome: "" }).map(({ head }) => head.id)).toEqual([
       "20260102T000000Z-c",
       "19700101T000000Z-a",
       "20260101T000000Z-b",
@@ -36,37 +40,50 @@ describe("the list of runs", () => {
       run("b", { tags: ["sea"], outcome: "held" }),
       run("c", { note: "rough SEA" }),
     ];
-    const ids = (words: string, outcome = "") => shownRuns(list, { words, outcome }).map(({ id }) => id);
+    const ids = (words: string, outcome = "") =>
+      shownFlights(list, { words, outcome }).map(({ head }) => head.id);
     expect(ids("sea").sort()).toEqual(["a", "b", "c"]);
     expect(ids("sea dock calm")).toEqual(["a"]);
     expect(ids("", "held")).toEqual(["b"]);
   });
 
-  it("knows the hold after a flight as a piece of it", () => {
-    expect(isPiece(run("a.2", { run_id: "a" }))).toBe(true);
-    expect(isPiece(run("a"))).toBe(false);
-  });
-
-  it("keeps the pieces of one flight together, the first above", () => {
+  it("lists the pieces of one flight as one, with its newest time and all its bytes", () => {
     const list = [
-      run("a", { recorded: "2026-01-01T00:00:00Z" }),
-      run("b", { recorded: "2026-01-02T00:00:00Z" }),
-      run("a.2", { run_id: "a", recorded: "2026-01-03T00:00:00Z" }),
-      run("a.10", { run_id: "a", recorded: "2026-01-03T00:00:01Z" }),
+      run("a", { recorded: "2026-01-01T00:00:00Z", bytes: 1, title: "Calm", duration_s: 90 }),
+      run("b", { recorded: "2026-01-02T00:00:00Z", bytes: 1 }),
+      piece("a", 10, { recorded: "2026-01-03T00:00:01Z", outcome: null, note: "late" }),
+      piece("a", 2, { recorded: "2026-01-03T00:00:00Z", outcome: null, duration_s: 300 }),
     ];
-    expect(shownRuns(list, { words: "", outcome: "" }).map(({ id }) => id)).toEqual([
-      "a",
-      "a.2",
-      "a.10",
-      "b",
-    ]);
+    const [a, b] = shownFlights(list, { words: "", outcome: "" });
+    expect(a?.pieces.map(({ id }) => id)).toEqual(["a", "a.2", "a.10"]);
+    expect(b?.head.id).toBe("b");
+    const one = asOne(a as NonNullable<typeof a>);
+    expect([one.id, one.title, one.bytes, one.duration_s]).toEqual(["a", "Calm", 9, 90]);
+    expect(one.recorded).toBe("2026-01-03T00:00:01Z");
+    expect(shownFlights(list, { words: "late", outcome: "docked" })).toHaveLength(1);
   });
-});
 
-describe("saved views", () => {
-  it("are read again, and nothing else is taken for one", () => {
-    const view = { words: "calm", outcome: "docked" };
-    expect(viewsOf(JSON.stringify({ Calm: view, strange: 3, other: { words: 1 } }))).toEqual({ Calm: view });
-    for (const text of [null, "", "{", "[]", "3"]) expect(viewsOf(text)).toEqual({});
+  it("says how a flight ended by its last piece that flew, and never forgets a collision", () => {
+    const ends = (...outcomes: RunSummary["outcome"][]) =>
+      asOne(flightsOf(outcomes.map((outcome, k) => piece("a", k + 1, { outcome })))[0] as never).outcome;
+    expect(ends("interrupted", "docked")).toBe("docked");
+    expect(ends("interrupted", "docked", null)).toBe("docked");
+    expect(ends("collided", "held")).toBe("collided");
+    expect(ends(null, null)).toBe(null);
+  });
+
+  it("tells a flight that goes on after a crash from a hold after its end", () => {
+    const going = (outcome: RunSummary["outcome"]) =>
+      flightsOf([
+        piece("a", 1, { outcome }),
+        piece("a", 2, { state: "recording", outcome: null }),
+      ])[0] as never;
+    expect(asOne(going("interrupted")).state).toBe("recording");
+    expect(asOne(going("docked")).state).toBe("complete");
+  });
+
+  it("takes a copy of a piece for a run of its own", () => {
+    const list = [run("a"), run("a-copy2", { run_id: "a", piece: 0 })];
+    expect(flightsOf(list)).toHaveLength(2);
   });
 });

@@ -4,16 +4,17 @@ import { useEffect } from "preact/hooks";
 import { address, ask } from "../api/client";
 import type { Answer } from "../api/http";
 import { runs } from "../api/resources";
-import type { Metrics, RunSummary } from "../api/types";
-import { bytes, clock, dateTime } from "../lib/format";
+import type { RunSummary } from "../api/types";
+import type { components } from "../gen/api";
+import { bytes, clock, dateTime, fixed } from "../lib/format";
 import { href } from "../shell/address";
 import { DeleteButton } from "../ui/delete_button";
-import { DownloadIcon, PlayIcon } from "../ui/icons";
+import { DownloadIcon, PlayIcon, WarningIcon } from "../ui/icons";
 import { Empty, Panel } from "../ui/panel";
 import "../ui/facts.css";
 import { throwAway } from "./bin";
 import { ExportForm } from "./export_form";
-import { pieceOf, piecesOf } from "./filter";
+import { asOne, type Flight } from "./flights";
 import { FlyAgain } from "./fly_again";
 import { MetricsTables } from "./metrics_tables";
 import { OutcomeChip } from "./outcome";
@@ -21,26 +22,32 @@ import { useNow } from "./run_now";
 import { WordsForm } from "./words_form";
 import "./run_details.css";
 
-/** Asked for once the run has ended: until then there are none. */
-function useMetrics(run: RunSummary): Answer<Metrics> | undefined {
-  const answer = useSignal<Answer<Metrics> | undefined>(undefined);
+type Whole = components["schemas"]["FlightAnswer"];
+
+/** Over all files of the flight; asked for once one has ended: until then there is nothing to tell. */
+function useWhole({ head, pieces }: Flight): Answer<Whole> | undefined {
+  const answer = useSignal<Answer<Whole> | undefined>(undefined);
+  const state = pieces.map(({ id, state }) => id + state).join();
   useEffect(() => {
     answer.value = undefined;
-    if (run.state === "recording") return;
+    if (head.state === "recording") return;
     let current = true;
-    void ask("get", "/api/runs/{run}/metrics", { path: { run: run.id } }).then((got) => {
+    void ask("get", "/api/runs/{run}/flight", { path: { run: head.id } }).then((got) => {
       if (current) answer.value = got;
     });
     return () => {
       current = false;
     };
-  }, [run.id, run.state, Boolean(run.metrics)]);
+  }, [head.id, state]);
   return answer.value;
 }
 
-export function RunDetails({ run }: { run: RunSummary }) {
-  const metrics = useMetrics(run);
-  const now = useNow(run);
+export function RunDetails({ flight }: { flight: Flight }) {
+  const whole = useWhole(flight);
+  const now = useNow(flight);
+  const { head, pieces } = flight;
+  const told = whole?.ok ? whole.value : undefined;
+  const run = { ...asOne(flight), ...(told?.outcome ? verdict(told) : {}) };
   return (
     <div class="column">
       <Panel
@@ -49,19 +56,21 @@ export function RunDetails({ run }: { run: RunSummary }) {
         aside={
           <>
             <OutcomeChip run={run} />
-            {run.state !== "recording" && (
+            {head.state !== "recording" && (
               <a class="action primary" href={href("runs", run.id, { t: 0 })}>
                 <PlayIcon /> Replay
               </a>
             )}
-            <a
-              class="action"
-              href={address("/api/runs/{run}/log.mcap", { run: run.id })}
-              download={`${run.id}.mcap`}
-            >
-              <DownloadIcon /> Download MCAP
-            </a>
-            {run.state !== "recording" && (
+            {pieces.length === 1 && (
+              <a
+                class="action"
+                href={address("/api/runs/{run}/log.mcap", { run: run.id })}
+                download={`${run.id}.mcap`}
+              >
+                <DownloadIcon /> Download MCAP
+              </a>
+            )}
+            {head.state !== "recording" && (
               <a
                 class="action"
                 href={address("/api/runs/{run}/report.html", { run: run.id })}
@@ -72,7 +81,7 @@ export function RunDetails({ run }: { run: RunSummary }) {
                 Report
               </a>
             )}
-            <Delete run={run} />
+            <Delete flight={flight} />
           </>
         }
       >
@@ -100,48 +109,83 @@ export function RunDetails({ run }: { run: RunSummary }) {
             </dd>
           </div>
         </dl>
-        {run.state !== "recording" && <WordsForm key={run.id} run={run} />}
-        <Pieces run={run} />
-        <ExportForm run={run} />
-        {run.state !== "recording" && <FlyAgain run={run} />}
+        {told && <Gaps flight={told} />}
+        {head.state !== "recording" && <WordsForm key={run.id} run={head} />}
+        {pieces.length > 1 && <Pieces flight={flight} told={told} />}
+        <ExportForm pieces={pieces} />
+        {head.state !== "recording" && <FlyAgain run={head} />}
       </Panel>
       <Panel title="Metrics" class="run-metrics" scrolls>
-        {run.state === "recording" && <Empty>Metrics are computed when the run ends.</Empty>}
-        {metrics?.ok === false && <Empty>No metrics: {metrics.reason}</Empty>}
-        {metrics?.ok && <MetricsTables metrics={metrics.value} />}
+        {head.state === "recording" && <Empty>Metrics are computed when the run ends.</Empty>}
+        {whole?.ok === false && <Empty>No metrics: {whole.reason}</Empty>}
+        {told && !told.metrics && <Empty>No metrics: the log holds too little of a mission.</Empty>}
+        {told?.metrics && <MetricsTables metrics={told.metrics} />}
       </Panel>
     </div>
   );
 }
 
-/** The pieces that a flight was recorded in: the mission, the hold after it, what a lost link cut. */
-function Pieces({ run }: { run: RunSummary }) {
-  const pieces = piecesOf(runs.value ?? [], run);
-  if (pieces.length < 2) return null;
+function verdict({ outcome, outcome_reason }: Whole): Partial<RunSummary> {
+  return { outcome, outcome_reason };
+}
+
+/** What was not recorded: what happened there, nobody knows, and no figure holds it. */
+function Gaps({ flight: { gaps } }: { flight: Whole }) {
+  if (!gaps.length) return null;
+  const lost = gaps.reduce((all, { first_s, last_s }) => all + (last_s ?? 0) - (first_s ?? 0), 0);
   return (
-    <p class="pieces">
-      <span class="muted">One flight in {pieces.length} pieces:</span>
-      {pieces.map((piece) => (
-        <a
-          key={piece.id}
-          href={href("runs", piece.id)}
-          aria-current={piece.id === run.id ? "true" : undefined}
-        >
-          {pieceOf(piece)} <span class="num muted">{clock(piece.duration_s)}</span>
-        </a>
-      ))}
+    <p class="gaps">
+      <WarningIcon size={12} /> {fixed(lost, 1)} s of it were not recorded (
+      {gaps.map(({ first_s, last_s }) => `T+${clock(first_s)} to ${clock(last_s)}`).join(", ")}). Figures are
+      of the rest.
     </p>
   );
 }
 
-function Delete({ run }: { run: RunSummary }) {
+/** The files that a flight was recorded in: the mission, what a crash cut off, the hold after it. */
+function Pieces({ flight: { pieces }, told }: { flight: Flight; told: Whole | undefined }) {
+  return (
+    <table class="table compact pieces" aria-label="Files of this flight">
+      <tbody>
+        {pieces.map((piece) => {
+          const held = told?.pieces.find(({ id }) => id === piece.id);
+          return (
+            <tr key={piece.id}>
+              <th scope="row">{piece.piece}</th>
+              <td class="num">
+                {held?.first_s == null ? "–" : `T+${clock(held.first_s)} to ${clock(held.last_s)}`}
+              </td>
+              <td class="piece-end">
+                {piece.state === "recording" ? "being recorded" : `${piece.outcome ? "mission" : "hold"}: `}
+                <span class="muted">{piece.end_reason}</span>
+              </td>
+              <td>
+                <a
+                  class="action small"
+                  href={address("/api/runs/{run}/log.mcap", { run: piece.id })}
+                  download={`${piece.id}.mcap`}
+                  aria-label={`Download ${piece.id} as MCAP`}
+                >
+                  <DownloadIcon size={12} /> {bytes(piece.bytes)}
+                </a>
+              </td>
+            </tr>
+          );
+        })}
+      </tbody>
+    </table>
+  );
+}
+
+function Delete({ flight: { head, pieces, growing } }: { flight: Flight }) {
+  const all = pieces.length > 1 ? `, all ${pieces.length} files,` : "";
   return (
     <DeleteButton
-      name={`Delete run ${run.id}`}
+      name={`Delete run ${head.id}`}
       holdMs={1000}
-      why={run.state === "recording" ? "A run being recorded cannot be deleted" : ""}
-      title="Press and hold to put the record into the bin"
-      remove={() => throwAway(run.id)}
+      why={growing ? "A run being recorded cannot be deleted" : ""}
+      title={`Press and hold to put the record${all} into the bin`}
+      remove={() => throwAway(pieces.map(({ id }) => id))}
       after={() => runs.refresh()}
     />
   );

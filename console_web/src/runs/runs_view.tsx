@@ -6,7 +6,6 @@ import { runs, runsDisk } from "../api/resources";
 import type { RunSummary } from "../api/types";
 import { CompareView } from "../compare/compare_view";
 import { MOST } from "../compare/compared";
-import { bytes, clock, dateTime } from "../lib/format";
 import { address, go } from "../shell/address";
 import { ActButton } from "../ui/act_button";
 import { ENDINGS } from "../ui/endings";
@@ -16,8 +15,11 @@ import { Empty, Panel } from "../ui/panel";
 import "../ui/table.css";
 import { TakeBack } from "./bin";
 import { BringIn, DropArea } from "./bring_in";
+import { COLUMNS } from "./columns";
 import { DiskUse } from "./disk_use";
-import { isPiece, shownRuns } from "./filter";
+import { shownFlights } from "./filter";
+import { asOne, type Flight, flightsOf } from "./flights";
+import { columns, outcome, runViews, show, words } from "./list_state";
 import { OutcomeChip } from "./outcome";
 import { RunDetails } from "./run_details";
 import { useNow } from "./run_now";
@@ -32,13 +34,14 @@ function List() {
   useEffect(() => {
     void runs.refresh();
     void runsDisk.refresh();
+    void runViews.refresh();
   }, []);
   const { value: list, refusal } = runs;
-  const words = useSignal("");
-  const outcome = useSignal("");
   const marked = useSignal<readonly string[]>([]);
-  const sorted = shownRuns(list ?? [], { words: words.value, outcome: outcome.value });
-  const run = list?.find(({ id }) => id === address.value.id) ?? sorted[0];
+  const sorted = shownFlights(list ?? [], { words: words.value, outcome: outcome.value });
+  const { id: asked } = address.value;
+  const flight =
+    flightsOf(list ?? []).find(({ pieces }) => pieces.some(({ id }) => id === asked)) ?? sorted[0];
   const mark = (id: string): void => {
     const without = marked.value.filter((other) => other !== id);
     marked.value = without.length < marked.value.length ? without : [...without, id].slice(-MOST);
@@ -64,23 +67,18 @@ function List() {
               aria-label="Outcome"
               value={outcome.value}
               onChange={(event) => {
-                outcome.value = event.currentTarget.value;
+                outcome.value = event.currentTarget.value as typeof outcome.value;
               }}
             >
               <option value="">all outcomes</option>
+              <option value="recording">recording</option>
               {Object.entries(ENDINGS).map(([value, { word }]) => (
                 <option key={value} value={value}>
                   {word}
                 </option>
               ))}
             </select>
-            <SavedViews
-              filter={{ words: words.value, outcome: outcome.value }}
-              onChoose={(next) => {
-                words.value = next.words;
-                outcome.value = next.outcome;
-              }}
-            />
+            <SavedViews />
             <BringIn />
             <ActButton
               class="action small"
@@ -96,7 +94,14 @@ function List() {
         <DropArea>
           <TakeBack />
           {refusal && <Empty>The list cannot be read: {refusal.reason}</Empty>}
-          {list && list.length > 0 && !sorted.length && <Empty>No run is like that.</Empty>}
+          {list && list.length > 0 && !sorted.length && (
+            <Empty>
+              No run is like that.{" "}
+              <button type="button" class="action small" onClick={() => show(undefined)}>
+                Show all runs
+              </button>
+            </Empty>
+          )}
           {!refusal && list && !list.length && (
             <Empty>No runs yet. Start a mission: it is recorded from start to end. Or drop a log here.</Empty>
           )}
@@ -109,15 +114,16 @@ function List() {
                   </th>
                   <th scope="col">Outcome</th>
                   <th scope="col">Mission</th>
-                  <th scope="col" class="num">
-                    Recorded
-                  </th>
-                  <th scope="col" class="num">
-                    Duration
-                  </th>
-                  <th scope="col" class="num">
-                    Size
-                  </th>
+                  {columns.value.map((column) => (
+                    <th
+                      key={column}
+                      scope="col"
+                      class={COLUMNS[column].num ? "num" : ""}
+                      title={COLUMNS[column].about}
+                    >
+                      {COLUMNS[column].name}
+                    </th>
+                  ))}
                   <th scope="col">
                     <span class="sr">Download</span>
                   </th>
@@ -126,12 +132,12 @@ function List() {
               <tbody>
                 {sorted.map((item) => (
                   <Row
-                    key={item.id}
-                    run={item}
-                    chosen={item === run}
-                    marked={marked.value.includes(item.id)}
-                    onMark={() => mark(item.id)}
-                    onChoose={() => go("runs", item.id)}
+                    key={item.head.id}
+                    flight={item}
+                    chosen={item.head.id === flight?.head.id}
+                    marked={marked.value.includes(item.head.id)}
+                    onMark={() => mark(item.head.id)}
+                    onChoose={() => go("runs", item.head.id)}
                   />
                 ))}
               </tbody>
@@ -140,8 +146,8 @@ function List() {
           <DiskUse />
         </DropArea>
       </Panel>
-      {run ? (
-        <RunDetails key={run.id} run={run} />
+      {flight ? (
+        <RunDetails key={flight.head.id} flight={flight} />
       ) : (
         <Panel title="Run">
           <Empty>The metrics of the chosen run appear here.</Empty>
@@ -152,55 +158,71 @@ function List() {
 }
 
 interface RowProps {
-  run: RunSummary;
+  flight: Flight;
   chosen: boolean;
   marked: boolean;
   onMark: () => void;
   onChoose: () => void;
 }
 
-function Row({ run, chosen, marked, onMark, onChoose }: RowProps) {
-  const now = useNow(run);
+function Row({ flight, chosen, marked, onMark, onChoose }: RowProps) {
+  const { head, pieces, growing, holds } = flight;
+  const now = useNow(flight);
+  const one: RunSummary = { ...asOne(flight), duration_s: now.duration_s ?? null, bytes: now.bytes };
+  const shown = growing ? { ...flight, head: one, pieces: [one] } : flight;
   return (
     <tr data-chosen={chosen ? "yes" : undefined} onClick={onChoose}>
       <td>
         <input
           type="checkbox"
-          aria-label={`Mark ${run.id} to compare`}
+          aria-label={`Mark ${head.id} to compare`}
           checked={marked}
-          disabled={run.state === "recording"}
-          title={run.state === "recording" ? "A run being recorded can't be compared yet" : undefined}
+          disabled={head.state === "recording"}
+          title={head.state === "recording" ? "A run being recorded can't be compared yet" : undefined}
           onClick={(event) => event.stopPropagation()}
           onChange={onMark}
         />
       </td>
       <td>
-        <OutcomeChip run={run} />
+        <OutcomeChip run={asOne(flight)} />
       </td>
       <td>
-        <button type="button" class="link" aria-pressed={chosen} title={run.id} onClick={onChoose}>
-          {run.title || run.mission || run.id}
+        <button type="button" class="link" aria-pressed={chosen} title={head.id} onClick={onChoose}>
+          {head.title || head.mission || head.id}
         </button>
-        {isPiece(run) && <span class="tag">piece {run.id.slice(run.run_id.length + 1)}</span>}
-        {run.tags.map((tag) => (
+        {pieces.length > 1 && (
+          <span class="tag" title="One flight that was recorded in pieces">
+            {pieces.length} pieces
+          </span>
+        )}
+        {holds && <span class="tag">hold recorded</span>}
+        {head.tags.map((tag) => (
           <span key={tag} class="tag">
             {tag}
           </span>
         ))}
       </td>
-      <td class="num">{dateTime(run.recorded)}</td>
-      <td class="num">{clock(now.duration_s)}</td>
-      <td class="num">{bytes(now.bytes)}</td>
-      <td>
-        <a
-          class="action small"
-          href={addressOf("/api/runs/{run}/log.mcap", { run: run.id })}
-          download={`${run.id}.mcap`}
-          aria-label={`Download ${run.id} as MCAP`}
-          onClick={(event) => event.stopPropagation()}
+      {columns.value.map((column) => (
+        <td
+          key={column}
+          class={COLUMNS[column].num ? "num" : "words-cell ellipsis"}
+          title={COLUMNS[column].whole?.(flight)}
         >
-          <DownloadIcon size={12} /> MCAP
-        </a>
+          {COLUMNS[column].of(shown)}
+        </td>
+      ))}
+      <td>
+        {pieces.length === 1 && (
+          <a
+            class="action small"
+            href={addressOf("/api/runs/{run}/log.mcap", { run: head.id })}
+            download={`${head.id}.mcap`}
+            aria-label={`Download ${head.id} as MCAP`}
+            onClick={(event) => event.stopPropagation()}
+          >
+            <DownloadIcon size={12} />
+          </a>
+        )}
       </td>
     </tr>
   );

@@ -1,95 +1,172 @@
-// Filters of the list by a name, kept in this browser.
-import { signal } from "@preact/signals";
+// Views of the list that all who use this server share: choose one, keep what is shown as one, forget one.
+import { useSignal } from "@preact/signals";
+import { useEffect, useRef } from "preact/hooks";
+import type { Refusal } from "../api/http";
 import { ActButton } from "../ui/act_button";
-import type { Filter } from "./filter";
+import { CrossIcon, UndoIcon } from "../ui/icons";
+import { RefusalIn } from "../ui/refusal";
+import { ALL, COLUMNS } from "./columns";
+import {
+  columns,
+  forgetView,
+  isUsual,
+  keepView,
+  type RunView,
+  runViews,
+  show,
+  shownView,
+  takeViewBack,
+  toggle,
+  undone,
+} from "./list_state";
 
-const KEY = "bumpless.run_views";
-const MOST = 30;
-
-export type Views = Readonly<Record<string, Filter>>;
-
-/** What was kept, as far as it is a table of filters. */
-export function viewsOf(text: string | null): Views {
-  try {
-    const told: unknown = JSON.parse(text ?? "{}");
-    if (!told || typeof told !== "object" || Array.isArray(told)) return {};
-    const entries = Object.entries(told as Record<string, Partial<Filter>>).filter(
-      ([, view]) => typeof view?.words === "string" && typeof view.outcome === "string",
-    );
-    return Object.fromEntries(entries.slice(0, MOST)) as Views;
-  } catch {
-    return {};
-  }
-}
-
-function stored(): string | null {
-  try {
-    return localStorage.getItem(KEY);
-  } catch {
-    return null;
-  }
-}
-
-export const views = signal<Views>(viewsOf(stored()));
-
-function keep(next: Views): void {
-  views.value = next;
-  try {
-    localStorage.setItem(KEY, JSON.stringify(next));
-  } catch {
-    // Without storage they last as long as the page.
-  }
-}
-
-interface Props {
-  filter: Filter;
-  onChoose: (filter: Filter) => void;
-}
-
-export function SavedViews({ filter, onChoose }: Props) {
-  const same = (view: Filter): boolean => view.words === filter.words && view.outcome === filter.outcome;
-  const named = Object.entries(views.value).find(([, view]) => same(view))?.[0];
-  const empty = !filter.words.trim() && !filter.outcome;
-  const nameOf = ({ words, outcome }: Filter): string =>
-    [outcome.replace("_", " "), words.trim()].filter(Boolean).join(": ");
+/** A button with the name of what is shown; under it views and columns. */
+export function SavedViews() {
+  const open = useSignal(false);
+  const button = useRef<HTMLButtonElement>(null);
+  const close = (): void => {
+    open.value = false;
+    button.current?.focus();
+  };
+  const named = shownView.value?.name ?? (isUsual.value ? "all runs" : "not saved");
   return (
-    <>
-      <select
-        class="small"
-        aria-label="Saved view"
-        value={named ?? ""}
-        onChange={(event) => {
-          const view = views.value[event.currentTarget.value];
-          onChoose(view ?? { words: "", outcome: "" });
+    <div class="views">
+      <button
+        ref={button}
+        type="button"
+        class="action small"
+        aria-expanded={open.value}
+        title="Saved views, and which columns are shown"
+        onClick={() => {
+          open.value = !open.value;
         }}
       >
-        <option value="">{empty ? "all runs" : "not saved"}</option>
-        {Object.keys(views.value).map((name) => (
-          <option key={name} value={name}>
-            {name}
-          </option>
-        ))}
-      </select>
-      {named === undefined ? (
-        <ActButton
-          class="action small"
-          why={empty ? "Search for something or choose an outcome first" : ""}
-          title="Keep this search and outcome as a view"
-          onAct={() => keep({ ...views.value, [nameOf(filter)]: filter })}
-        >
-          Save view
-        </ActButton>
-      ) : (
-        <button
-          type="button"
-          class="action small"
-          onClick={() =>
-            keep(Object.fromEntries(Object.entries(views.value).filter(([name]) => name !== named)))
-          }
-        >
-          Forget view
-        </button>
-      )}
-    </>
+        View: <span class="ellipsis">{named}</span>
+      </button>
+      {open.value && <Menu onClose={close} />}
+    </div>
   );
+}
+
+function Menu({ onClose }: { onClose: () => void }) {
+  const refusal = useSignal<Refusal | undefined>(undefined);
+  const name = useSignal(shownView.value?.name ?? "");
+  const panel = useRef<HTMLDivElement>(null);
+  useEffect(() => {
+    void runViews.refresh();
+    panel.current?.querySelector("button")?.focus();
+    const outside = (event: PointerEvent): void => {
+      const at = event.target as Node;
+      if (!panel.current?.parentElement?.contains(at)) onClose();
+    };
+    addEventListener("pointerdown", outside);
+    return () => removeEventListener("pointerdown", outside);
+  }, []);
+  const keep = async (): Promise<void> => {
+    const answer = await keepView(name.value.trim());
+    refusal.value = answer.ok ? undefined : answer;
+  };
+  const forget = async (view: RunView): Promise<void> => {
+    const answer = await forgetView(view);
+    refusal.value = answer.ok ? undefined : answer;
+    panel.current?.querySelector("button")?.focus();
+  };
+  const replaces = runViews.value?.some((view) => view.name === name.value.trim());
+  return (
+    <div
+      ref={panel}
+      class="views-menu"
+      role="group"
+      aria-label="Views of the list"
+      onKeyDown={(event) => event.key === "Escape" && onClose()}
+    >
+      <ul class="views-list" aria-label="Saved views, shared by all">
+        <li>
+          <button type="button" class="link" onClick={() => show(undefined)}>
+            all runs
+          </button>
+        </li>
+        {(runViews.value ?? []).map((view) => (
+          <li key={view.name}>
+            <button
+              type="button"
+              class="link ellipsis"
+              aria-pressed={view === shownView.value}
+              title={aboutOf(view)}
+              onClick={() => {
+                show(view);
+                name.value = view.name;
+              }}
+            >
+              {view.name}
+            </button>
+            <button
+              type="button"
+              class="quiet small"
+              aria-label={`Forget the view ${view.name}`}
+              onClick={() => void forget(view)}
+            >
+              <CrossIcon size={10} />
+            </button>
+          </li>
+        ))}
+      </ul>
+      {runViews.value?.length === 0 && (
+        <p class="muted">No view yet. Search, choose columns, and keep what you see under a name, for all.</p>
+      )}
+      {runViews.refusal && <p class="lost">Views cannot be read: {runViews.refusal.reason}</p>}
+      <UndoView />
+      <RefusalIn title="Not changed." of={refusal} />
+      <form
+        class="views-keep"
+        onSubmit={(event) => {
+          event.preventDefault();
+          void keep();
+        }}
+      >
+        <input
+          aria-label="Name of the view"
+          placeholder="Name this view"
+          maxLength={60}
+          value={name.value}
+          onInput={(event) => {
+            name.value = event.currentTarget.value;
+          }}
+        />
+        <ActButton
+          type="submit"
+          class="action small"
+          why={name.value.trim() ? "" : "Give the view a name first"}
+        >
+          {replaces ? "Replace" : "Save view"}
+        </ActButton>
+      </form>
+      <fieldset class="views-columns">
+        <legend class="muted">Columns</legend>
+        {ALL.map((column) => (
+          <label key={column} title={COLUMNS[column].about}>
+            <input type="checkbox" checked={columns.value.includes(column)} onChange={() => toggle(column)} />{" "}
+            {COLUMNS[column].name}
+          </label>
+        ))}
+      </fieldset>
+    </div>
+  );
+}
+
+function UndoView() {
+  if (!undone.value) return null;
+  return (
+    <p class="take-back" role="status">
+      <span class="ellipsis">{undone.value.text}</span>
+      <button type="button" class="action small" onClick={() => void takeViewBack()}>
+        <UndoIcon size={12} /> Undo
+      </button>
+    </p>
+  );
+}
+
+function aboutOf(view: RunView): string {
+  const what = [view.outcome.replace("_", " "), view.words].filter(Boolean).join(": ") || "all runs";
+  return `${what}${view.author ? `; kept by ${view.author}` : ""}`;
 }

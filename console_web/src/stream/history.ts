@@ -70,6 +70,11 @@ export class History {
   /** Rows further apart than this are no neighbours, s. */
   gap = GAP;
 
+  /** What follows is no neighbour of what is here: lines end. */
+  breakOff(): void {
+    this.push(this.last() + 0.01, Mode.UNSPECIFIED, {});
+  }
+
   /** The past that a new connection begins with fills what was missed, and leaves alone what is here. */
   append(cycle: CycleRow, past = false): void {
     const previous = this.last();
@@ -80,7 +85,7 @@ export class History {
     this.told = cycle.time;
     // A simulated vehicle is put at the start of its mission: that jump is no motion.
     const begins = cycle.inForce && !this.flying;
-    if (time - previous > this.gap || begins) this.push(previous + 0.01, Mode.UNSPECIFIED, {});
+    if (time - previous > this.gap || begins) this.breakOff();
     if (cycle.inForce) this.missionStart = time - cycle.missionTime;
     const ramps = cycle.inForce && this.before !== undefined && cycle.kappa < this.before.kappa;
     if (ramps) this.rampFrom = this.before?.mode ?? Mode.UNSPECIFIED;

@@ -86,7 +86,9 @@ export function everything(): Find[] {
         go("missions", name);
       },
     })),
-    ...(runs.value ?? []).map(({ id }) => ({ kind: "Run", name: id, about: "", act: () => go("runs", id) })),
+    ...(runs.value ?? [])
+      .filter(({ piece }) => piece <= 1)
+      .map(({ id, title }) => ({ kind: "Run", name: id, about: title, act: () => go("runs", id) })),
     ...signals().map(({ id, title, unit }) => ({
       kind: "Signal",
       name: title,

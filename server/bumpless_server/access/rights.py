@@ -91,6 +91,8 @@ ROWS: tuple[Row, ...] = (
         GET /api/runs/{run}/export
         GET /api/runs/{run}/hull
         GET /api/runs-disk
+        GET /api/runs/{run}/flight
+        GET /api/run-views
         GET /api/foxglove_layout.json
         GET /api/runs/{run}/log.mcap
         GET /api/alarms/limits
@@ -138,6 +140,8 @@ ROWS: tuple[Row, ...] = (
         POST /api/runs-import
         POST /api/what-if
         PUT /api/runs/{run}/words
+        PUT /api/run-views/{name}
+        DELETE /api/run-views/{name}
         PUT /api/charts/{name}
         PUT /api/charts/{name}/owners
         DELETE /api/charts/{name}

@@ -18,6 +18,7 @@ import bumpless
 from bumpless.contract.names import RUN
 from bumpless.metrics import as_dict
 from bumpless.runs.names import CUT_OFF, ENDING
+from bumpless.runs.pieces import piece_of
 from bumpless.runs.records import is_whole
 from bumpless.runs.repair import repair
 from bumpless.runs.run import NoFigures
@@ -27,11 +28,12 @@ from bumpless_server.live.tally import printable
 
 log = logging.getLogger(__name__)
 
-LAYOUT = 2  # grows when the table changes: an older index is then built anew
+LAYOUT = 3  # grows when the table changes: an older index is then built anew
 _TABLE = """CREATE TABLE runs (
     id TEXT PRIMARY KEY, run_id TEXT, mission TEXT, mission_sha256 TEXT, vehicle TEXT, started_ns INTEGER,
     duration_s REAL, state TEXT, end_reason TEXT, messages INTEGER, dropped INTEGER, outcome TEXT,
-    outcome_reason TEXT, metrics TEXT, bytes INTEGER, modified_ns INTEGER)"""
+    outcome_reason TEXT, metrics TEXT, seed INTEGER,
+    parameters_sha256 TEXT, software_version TEXT, bytes INTEGER, modified_ns INTEGER)"""
 
 
 @dataclass(frozen=True)
@@ -42,9 +44,14 @@ class Row:
     bytes: int
     modified_ns: int
 
+    @property
+    def piece(self) -> int:
+        """Which piece of its flight it is, from 1; 0: a run, or a copy, of its own."""
+        return piece_of(self.summary.id, self.summary.run_id)
+
     def as_dict(self) -> dict[str, Any]:
         """For JSON; metrics as an object or None."""
-        return asdict(self.summary) | {"bytes": self.bytes}
+        return asdict(self.summary) | {"bytes": self.bytes, "piece": self.piece}
 
 
 class Catalogue:
@@ -145,6 +152,24 @@ class Catalogue:
         with self._lock:
             found = self._rows("SELECT * FROM runs WHERE id = ?", run)
         return _row(found[0]) if found else None
+
+    def pieces(self, run: str, flown: bool = False) -> list[Path]:
+        """The finished files of the flight that `run` is of, in order; of a run that is no piece, its own.
+
+        flown: only those that have figures, where any has: a hold after a mission has none.
+        """
+        own = self.row(run)
+        if own is None:
+            return []
+        with self._lock:
+            found = self._rows("SELECT * FROM runs WHERE run_id = ?", own.summary.run_id)
+        rows = [row for row in map(_row, found) if row is not None and row.piece]
+        if not own.piece:
+            rows = [own]
+        if flown and any(row.summary.metrics for row in rows):
+            rows = [row for row in rows if row.summary.metrics]
+        rows.sort(key=lambda row: row.piece)
+        return [path for row in rows if (path := self.path(row.summary.id)) is not None]
 
     def path(self, run: str) -> Path | None:
         """The file of a run, finished or not; None when there is none of that name."""

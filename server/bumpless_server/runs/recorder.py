@@ -21,6 +21,7 @@ from bumpless.contract.messages import stamp_of
 from bumpless.contract.names import RUN
 from bumpless.runs.info import ending_of
 from bumpless.runs.names import COMPLETE, CONTEXT, DESCRIPTION, ENDING, EVENT, INTERRUPTED, MISSION, PLAN
+from bumpless.runs.pieces import piece_name
 from bumpless.runs.view import View
 from bumpless.runs.writer import RunWriter
 from bumpless_server.live.boxes import BoundedQueue
@@ -33,7 +34,6 @@ log = logging.getLogger(__name__)
 FLUSH_S = 0.5
 PRE_ROLL = 1000  # messages kept while idle: a run's first cycles may precede its mission status
 PRE_ROLL_BYTES = 4_000_000
-LONGEST_PART = 120
 MOST_DEEDS, DEEDS_NS = 50, 10_000_000_000  # of the audit, kept for a run that begins within ten seconds
 HELD_EVERY_S = 1.0  # of a hold after a mission one cycle is kept in so long
 SETTLE_S = 0.5  # after the end, for the rest of the last cycle
@@ -345,10 +345,9 @@ class Recorder:
 def free_id(folder: Path, run_id: str) -> str:
     """`run_id`, or `run_id.2`, `.3` ... when an earlier part of the same run is there already."""
     name, part = RUN.check(run_id, "run id"), 1
-    run_id = run_id[:LONGEST_PART]  # the number after it keeps to the rule as well
     while (folder / f"{name}{ENDING}").exists():
         part += 1
-        name = f"{run_id}.{part}"
+        name = piece_name(run_id, part)
     return name
 
 

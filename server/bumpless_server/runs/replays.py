@@ -1,10 +1,11 @@
-"""Logs that are being looked at: a few stay open, the one not looked at for longest is closed."""
+"""Flights that are being looked at: a few stay open, the one not looked at for longest is closed."""
 
 import threading
 from collections import OrderedDict
+from collections.abc import Sequence
 from pathlib import Path
 
-from bumpless.runs.replay import Replay
+from bumpless.runs.flight_replay import FlightReplay
 
 KEPT = 6
 
@@ -14,14 +15,13 @@ class Replays:
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
-        self._open: OrderedDict[tuple[Path, int, int], Replay] = OrderedDict()
+        self._open: OrderedDict[tuple[tuple[Path, int, int], ...], FlightReplay] = OrderedDict()
 
-    def of(self, path: Path) -> Replay:
-        """The log at `path` as it is now. Raises bumpless.runs.replay.NoReplay."""
-        found = path.stat()
-        key = (path, found.st_mtime_ns, found.st_size)
+    def of(self, pieces: Sequence[Path]) -> FlightReplay:
+        """The flight in these files as they are now. Raises bumpless.runs.replay.NoReplay."""
+        key = tuple((path, found.st_mtime_ns, found.st_size) for path in pieces for found in [path.stat()])
         with self._lock:
-            replay = self._open.pop(key, None) or Replay(path)
+            replay = self._open.pop(key, None) or FlightReplay(pieces)
             self._open[key] = replay
             while len(self._open) > KEPT:
                 self._open.popitem(last=False)[1].close()

@@ -13,6 +13,7 @@ from bumpless.contract.units import EDGE_PER_SI
 Floats = npt.NDArray[np.float64]
 Integers = npt.NDArray[np.int64]
 
+GAP_S = 0.5  # cycles missing for less are no gap to tell of
 FLOWN = (0, *FLYING)  # phases whose rows count; 0: not said
 
 
@@ -126,6 +127,12 @@ class Columns:
         """(n,) whether the row before is the cycle before; False for the first row and after a gap."""
         first = np.zeros(min(len(self), 1), bool)
         return np.concatenate([first, np.diff(self.cycle) == 1])
+
+    @property
+    def gaps(self) -> list[tuple[float, float]]:
+        """(last time before, first time after) of each stretch longer than GAP_S without a row, s."""
+        ends = np.flatnonzero(~self.follows[1:] & (np.diff(self.time) > GAP_S))
+        return [(float(self.time[k]), float(self.time[k + 1])) for k in ends]
 
     @property
     def missing(self) -> int:

@@ -18,7 +18,10 @@ AFTER_RAMP_S = 15.0  # past the end of the switch's ramp; what a ramp defers fal
 
 @dataclass(frozen=True)
 class SwitchSteps:
-    """Largest change from one cycle to the next within WINDOW_S of a switch."""
+    """Largest change from one cycle to the next within WINDOW_S of a switch.
+
+    NaN, all of it, where the cycle before the switch is not in the log: nobody saw its step.
+    """
 
     row: int  # first row in the new mode
     from_mode: int
@@ -56,6 +59,9 @@ def switch_steps(run: Columns, bounds: Floats, edge: Floats) -> list[SwitchSteps
     steps[~run.follows] = 0.0
     found = []
     for row in np.flatnonzero(np.diff(run.mode)) + 1:
+        if not run.follows[row]:
+            found.append(_unseen(run, int(row)))
+            continue
         near = np.abs(run.time - run.time[row]) <= WINDOW_S + 1e-9
         du = steps[near]
         found.append(
@@ -70,6 +76,14 @@ def switch_steps(run: Columns, bounds: Floats, edge: Floats) -> list[SwitchSteps
             )
         )
     return found
+
+
+def _unseen(run: Columns, row: int) -> SwitchSteps:
+    """Of a switch that fell into a gap of the log: `row` is the first after it."""
+    no = float("nan")
+    change = (int(run.mode[row - 1]), int(run.mode[row]))
+    none = np.full(run.u.shape[1], no)
+    return SwitchSteps(row, *change, no, no, none, Settling(no, no, no, no, no, no))
 
 
 def _settling(run: Columns, du: Floats, row: int) -> Settling:
@@ -109,8 +123,12 @@ def _largest(steps: Floats) -> float:
 
 
 def largest(steps: list[SwitchSteps], from_mode: int, to_mode: int) -> tuple[float, float]:
-    """Largest normalised step over all switches of one kind, about the switch and while settling; or NaN."""
+    """Largest normalised step over all switches of one kind, about the switch and while settling; or NaN.
+
+    One that fell into a gap makes it NaN as well: the largest is not known.
+    """
     of_kind = [s for s in steps if (s.from_mode, s.to_mode) == (from_mode, to_mode)]
-    nothing = float("nan")
-    near = max((s.normalised for s in of_kind), default=nothing)
-    return near, max((s.settling.normalised for s in of_kind), default=nothing)
+    if not of_kind:
+        return float("nan"), float("nan")
+    near, late = [s.normalised for s in of_kind], [s.settling.normalised for s in of_kind]
+    return float(np.max(near)), float(np.max(late))

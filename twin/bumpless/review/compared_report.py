@@ -17,7 +17,7 @@ from bumpless.review.figures import moments
 from bumpless.review.report import rendered
 from bumpless.review.scene3d import COLOURS, MakeHull, scene
 from bumpless.review.subject import subject_of
-from bumpless.runs.flight import open_run
+from bumpless.runs.joined import open_flight
 from bumpless.runs.run import Run
 
 ALIGNED = {
@@ -31,15 +31,19 @@ MOST_POINTS = 900
 GOOD = ("docked", "held")
 
 
-def comparison_report(paths: Sequence[Path], align: str = "start", make_hull: MakeHull | None = None) -> str:
+def comparison_report(
+    paths: Sequence[Path | Sequence[Path]], align: str = "start", make_hull: MakeHull | None = None
+) -> str:
     """The report of two to six recorded runs; the first is what the others are compared with.
+
+    paths: of each its file, or those of its pieces in order.
 
     Raises ValueError for another number of them, for one without figures, or a moment that is none.
     """
     if align not in ALIGNED:
         raise ValueError(f"runs can be aligned on {', '.join(ALIGNED)}, not on {align!r}")
     comparison = compare([subject_of(path) for path in paths])
-    runs = [open_run(path) for path in paths]
+    runs = [open_flight([path] if isinstance(path, Path) else path) for path in paths]
     zeros = [moments(subject.metrics).get(align, 0.0) for subject in comparison.subjects]
     letters = [chr(65 + k) for k in range(len(runs))]
     return rendered(
@@ -80,7 +84,7 @@ def _lines(runs: Sequence[Run], zeros: Sequence[float], letters: Sequence[str]) 
     matplotlib.use("Agg")
     from matplotlib import pyplot
 
-    from bumpless.review.drawings import STYLE, WIDTH_IN, svg_of
+    from bumpless.review.drawings import STYLE, WIDTH_IN, broken, svg_of
 
     with matplotlib.rc_context(STYLE):
         figure, many = pyplot.subplots(6, 1, sharex=True, figsize=(WIDTH_IN, 7.2), squeeze=False)
@@ -88,6 +92,7 @@ def _lines(runs: Sequence[Run], zeros: Sequence[float], letters: Sequence[str]) 
             columns = run.columns
             rows = slice(None, None, max(1, -(-len(columns) // MOST_POINTS)))
             residual = np.linalg.norm(columns.tau_d - columns.tau_c, axis=1)
+            time = broken(columns.time[rows], columns.gaps)
             signals = (
                 ("depth, m", columns.eta_hat[:, 2]),
                 ("surge, m/s", columns.nu_hat[:, 0]),
@@ -97,7 +102,7 @@ def _lines(runs: Sequence[Run], zeros: Sequence[float], letters: Sequence[str]) 
                 ("‖τ_d − τ_c‖", residual),
             )
             for axes, (label, values) in zip(many[:, 0], signals, strict=True):
-                axes.plot(columns.time[rows] - zero, values[rows], color=COLOURS[k % len(COLOURS)],
+                axes.plot(time - zero, values[rows], color=COLOURS[k % len(COLOURS)],
                           linestyle=DASHES[k % len(DASHES)], label=letters[k])  # fmt: skip
                 axes.set_ylabel(label)
                 axes.margins(x=0)

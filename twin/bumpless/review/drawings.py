@@ -80,19 +80,39 @@ class Lines:
     u_feedback: np.ndarray
     target: np.ndarray
     observation_point: np.ndarray
+    gaps: list[tuple[float, float]]  # not recorded, s
+
+    @property
+    def broken(self) -> np.ndarray:
+        """Time for a line, which ends where a gap begins."""
+        return broken(self.time, self.gaps)
 
     @property
     def stays(self) -> list[tuple[int, float, float]]:
-        """(mode, from, to) of each stay in a mode, s."""
-        edges = [0, *(np.flatnonzero(np.diff(self.mode)) + 1).tolist(), len(self.time)]
+        """(mode, from, to) of each stay in a mode, s; a gap is part of none."""
+        after = [int(np.searchsorted(self.time, end)) for _, end in self.gaps]
+        cuts = {*(np.flatnonzero(np.diff(self.mode)) + 1).tolist(), *after}
+        edges = [0, *sorted(cut for cut in cuts if 0 < cut < len(self.time)), len(self.time)]
         last = len(self.time) - 1
-        return [(int(self.mode[a]), self.time[a], self.time[min(b, last)]) for a, b in pairwise(edges)]
+        ends = {b: self.time[b - 1] if b in after else self.time[min(b, last)] for b in edges[1:]}
+        return [(int(self.mode[a]), self.time[a], ends[b]) for a, b in pairwise(edges)]
+
+
+def broken(time: np.ndarray, gaps: Sequence[tuple[float, float]]) -> np.ndarray:
+    """(n,) times with NaN for the first after each gap, so that a line over them is not drawn across it."""
+    made = np.array(time, float)
+    for _, end in gaps:
+        row = int(np.searchsorted(time, end))
+        if 0 < row < len(made):
+            made[row] = np.nan
+    return made
 
 
 def _thinned(run: Columns, units: Sequence[str]) -> Lines:
     every = max(1, -(-len(run) // MOST_POINTS))
     edge = np.array([EDGE_PER_SI[unit] for unit in units]) if units else 1.0
-    columns = {f.name: getattr(run, f.name)[::every] for f in fields(Lines)}
+    columns = {f.name: getattr(run, f.name)[::every] for f in fields(Lines) if f.name != "gaps"}
+    columns["gaps"] = run.gaps
     return Lines(**columns | {name: columns[name] * edge for name in ("u", "u_feedback")})
 
 
@@ -107,8 +127,15 @@ def svg_of(figure: Any) -> str:
     return text[text.index("<svg") :]
 
 
+def _hatch(axes: Any, run: Lines) -> None:
+    """What was not recorded."""
+    for first, last in run.gaps:
+        axes.axvspan(first, last, facecolor="none", edgecolor=FAINT, hatch="////", linewidth=0)
+
+
 def _shade(axes: Any, run: Lines) -> None:
     """Modes as a faint ground with their letters: colour never alone."""
+    _hatch(axes, run)
     for mode, first, last in run.stays:
         look = LOOKS.get(mode)
         if look is None:
@@ -133,6 +160,7 @@ def _timeline(run: Lines, events: Sequence[Any]) -> str:
         if look is not None:
             axes.axvspan(first, last, color=look.colour, linewidth=0)
             axes.text(first, 0.5, f" {look.letter} {look.name}", va="center", fontweight="bold", clip_on=True)
+    _hatch(axes, run)
     for event in events:
         if event.severity >= pb.SEVERITY_WARNING:
             axes.axvline(event.stamp.mission_time_s, color=ALARM, linewidth=1.2)
@@ -162,35 +190,35 @@ def _pair(axes: Any, time: Any, value: Any, reference: Any, label: str) -> None:
 
 
 def _depth(axes: Any, run: Lines) -> None:
-    _pair(axes, run.time, run.depth, run.reference[:, 2], "depth, m")
+    _pair(axes, run.broken, run.depth, run.reference[:, 2], "depth, m")
     axes.invert_yaxis()
 
 
 def _speed(axes: Any, run: Lines) -> None:
-    _pair(axes, run.time, run.nu_hat[:, 0], run.reference[:, 0], "surge, m/s")
+    _pair(axes, run.broken, run.nu_hat[:, 0], run.reference[:, 0], "surge, m/s")
 
 
 def _heading(axes: Any, run: Lines) -> None:
     yaw = np.unwrap(run.eta_hat[:, 5])
     reference = yaw + (run.reference[:, 5] - yaw + np.pi) % (2 * np.pi) - np.pi
-    _pair(axes, run.time, yaw * DEG, reference * DEG, "heading, °")
+    _pair(axes, run.broken, yaw * DEG, reference * DEG, "heading, °")
 
 
 def _aside(axes: Any, run: Lines) -> None:
-    axes.plot(run.time, run.cross_track, color=TRACE)
+    axes.plot(run.broken, run.cross_track, color=TRACE)
     axes.set_ylabel("cross-track, m")
 
 
 def _force(letter: str, k: int) -> Draw:
     def draw(axes: Any, run: Lines) -> None:
-        _pair(axes, run.time, run.tau_c[:, k], run.tau_d[:, k], f"{letter}, {'N' if k < 3 else 'N·m'}")
+        _pair(axes, run.broken, run.tau_c[:, k], run.tau_d[:, k], f"{letter}, {'N' if k < 3 else 'N·m'}")
 
     return draw
 
 
 def _command(i: int, name: str) -> Draw:
     def draw(axes: Any, run: Lines) -> None:
-        _pair(axes, run.time, run.u_feedback[:, i], run.u[:, i], name)
+        _pair(axes, run.broken, run.u_feedback[:, i], run.u[:, i], name)
 
     return draw
 
@@ -200,7 +228,7 @@ def _track(run: Lines) -> str:
 
     figure, axes = pyplot.subplots(figsize=(WIDTH_IN, 3.0))
     for mode, look in LOOKS.items():
-        there = np.where(run.mode == mode, 1.0, np.nan)
+        there = np.where((run.mode == mode) & np.isfinite(run.broken), 1.0, np.nan)
         axes.plot(run.eta_hat[:, 1] * there, run.eta_hat[:, 0] * there, color=look.colour, label=look.name)
     axes.plot(run.target[-1, 1], run.target[-1, 0], "s", color=REFERENCE, label="target, as believed")
     axes.plot(

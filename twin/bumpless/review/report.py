@@ -4,7 +4,8 @@ Needs the extra `report`.
 """
 
 import json
-from collections.abc import Iterator
+import math
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from importlib import resources
@@ -18,7 +19,7 @@ from bumpless.contract.version import software_version
 from bumpless.metrics import as_dict
 from bumpless.review.figures import FIGURES
 from bumpless.review.scene3d import MakeHull, as_json, scene, script, script_hash
-from bumpless.runs.flight import open_run
+from bumpless.runs.joined import open_flight
 from bumpless.runs.run import Run
 
 _WORDS = {mode: look.name for mode, look in LOOKS.items()}
@@ -37,15 +38,16 @@ class Switch:
     settling: str  # until 15 s after the ramp
 
 
-def report_of(path: Path, make_hull: MakeHull | None = None) -> str:
+def report_of(path: Path | Sequence[Path], make_hull: MakeHull | None = None) -> str:
     """The report of a recorded run. Raises ValueError when the file has no figures; `ExtraMissing`.
 
+    path: its file, or those of its pieces in order.
     make_hull: the vehicle's picture for the replay in 3-D; a plain spindle without.
     """
     imported("jinja2", "report")
     from bumpless.review.drawings import drawings
 
-    run = open_run(path)
+    run = open_flight([path] if isinstance(path, Path) else path)
     metrics, outcome = run.metrics, run.outcome
     events: list[Any] = [message for topic, message in run.messages() if topic == "event"]
     replay = scene([run], [0.0], make_hull)
@@ -57,6 +59,7 @@ def report_of(path: Path, make_hull: MakeHull | None = None) -> str:
         started=datetime.fromtimestamp(max(0, run.info.started_ns) // 1_000_000_000, UTC),
         outcome=outcome,
         verdict=outcome.sentence,
+        gaps=run.columns.gaps,
         good=outcome.ending.value in ("docked", "held"),
         drawings=drawings(run, events),
         switches=list(_switches(metrics, events)),
@@ -102,9 +105,14 @@ def _switches(metrics: pb.Metrics, events: list[Any]) -> Iterator[Switch]:
             why=details.get("reason", "not told"),
             unless=details.get("unless", ""),
             dwelt=details.get("dwelt_s", ""),
-            step=f"{s.command_step_normalised:.4f}",
-            settling=f"{s.command_step_settling:.4f}",
+            step=_known(s.command_step_normalised),
+            settling=_known(s.command_step_settling),
         )
+
+
+def _known(step: float) -> str:
+    """Of a switch that fell into a gap nobody knows it."""
+    return "not recorded" if math.isnan(step) else f"{step:.4f}"
 
 
 def _modes(told: dict[str, Any]) -> Iterator[dict[str, Any]]:

@@ -1,7 +1,7 @@
 """What of a log is compared and reported: read without its messages, where its end is there."""
 
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -10,8 +10,8 @@ import yaml
 
 from bumpless.metrics import as_dict
 from bumpless.runs import names
-from bumpless.runs.flight import open_run
 from bumpless.runs.info import RunInfo
+from bumpless.runs.joined import open_flight
 from bumpless.runs.records import Records, read_records
 
 
@@ -28,13 +28,18 @@ class Subject:
     parameters: Mapping[str, Any]  # all that was flown with
 
 
-def subject_of(path: Path) -> Subject:
-    """Read one. Raises ValueError when the file is no log, or has no figures."""
-    found = read_records(path)
-    metrics, reason, outcome = _metrics(path, found)
+def subject_of(path: Path | Sequence[Path]) -> Subject:
+    """Read one: its file, or those of its pieces in order, told as the first piece tells it.
+
+    Raises ValueError when the file is no log, or has no figures.
+    """
+    pieces = [path] if isinstance(path, Path) else path
+    found = read_records(pieces[0])
+    metrics, reason, outcome = _metrics(pieces, found)
+    end = found.end if len(pieces) == 1 else read_records(pieces[-1]).end
     return Subject(
-        info=RunInfo.read(found.run, path.stem),
-        state=found.end.get("state", names.INTERRUPTED),
+        info=RunInfo.read(found.run, pieces[0].stem),
+        state=end.get("state", names.INTERRUPTED),
         outcome=outcome,
         reason=reason,
         metrics=metrics,
@@ -43,11 +48,11 @@ def subject_of(path: Path) -> Subject:
     )
 
 
-def _metrics(path: Path, found: Records) -> tuple[Mapping[str, Any], str, str]:
+def _metrics(pieces: Sequence[Path], found: Records) -> tuple[Mapping[str, Any], str, str]:
     told = _mapping(found.attachments.get(names.METRICS, b""), json.loads)
-    if told:
+    if told and len(pieces) == 1:
         return told, found.end.get("outcome_reason", ""), found.end.get("outcome", "")
-    run = open_run(path)
+    run = open_flight(pieces)
     return as_dict(run.metrics), run.outcome.reason, run.outcome.ending.value
 
 

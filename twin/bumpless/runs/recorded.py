@@ -1,7 +1,7 @@
 """A run out of its file: read when asked for, whole or cut, our own or another recorder's."""
 
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -13,6 +13,7 @@ from bumpless.config.mission import Mission
 from bumpless.config.parameters import Parameters, as_dict, default_parameters, with_overrides
 from bumpless.config.problems import ProblemsError
 from bumpless.config.vehicle import Vehicle
+from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.keys import SAID
 from bumpless.contract.messages import decoded
 from bumpless.metrics import Columns, Figures, figures_of
@@ -45,6 +46,16 @@ class Recorded:
         return (
             RunInfo.read(found, self.path.stem) if found else run_info(self.path.stem, self._columns.status)
         )
+
+    @property
+    def end(self) -> Mapping[str, str]:
+        """The record of how it ended; empty while nobody knows."""
+        return self._records.end
+
+    @property
+    def status(self) -> pb.MissionStatus:
+        """The last that the vehicle said of its mission."""
+        return self._columns.status
 
     @property
     def columns(self) -> Columns:

@@ -45,7 +45,8 @@ class Told:
 class Replay:
     """An open log. Usable from several threads, one at a time."""
 
-    def __init__(self, path: Path) -> None:
+    def __init__(self, path: Path, kept_chunks: int = KEPT_CHUNKS) -> None:
+        self._kept_chunks = kept_chunks
         self._lock = threading.RLock()
         self._file = path.open("rb")
         try:
@@ -210,7 +211,7 @@ class Replay:
         key = chunk.chunk_start_offset
         if key not in self._unpacked:
             self._unpacked[key] = self._unpack(chunk)
-            while len(self._unpacked) > KEPT_CHUNKS:
+            while len(self._unpacked) > self._kept_chunks:
                 self._unpacked.popitem(last=False)
         self._unpacked.move_to_end(key)
         return self._unpacked[key]

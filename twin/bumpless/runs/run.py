@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from bumpless.config.vehicle import Vehicle
     from bumpless.contract.bumpless_pb2 import Metrics
     from bumpless.metrics import Columns, Outcome
+    from bumpless.runs.joined import Joined
     from bumpless.runs.recorded import Recorded
     from bumpless.runs.table import Table
     from bumpless.runs.view import View
@@ -36,7 +37,7 @@ class Run:
     An opened run pickles as its path.
     """
 
-    def __init__(self, source: "Flown | Recorded") -> None:
+    def __init__(self, source: "Flown | Recorded | Joined") -> None:
         self._source = source
 
     def __repr__(self) -> str:
@@ -109,12 +110,16 @@ class Run:
         target = Path(path)
         partial = target.with_name(target.name + ".part")
         try:
+            from bumpless.runs.recorded import Recorded
+
             if isinstance(self._source, Flown):
                 from bumpless.runs.save import write_flown
 
                 write_flown(self._source, self._figures, partial, views, progress)
-            else:
+            elif isinstance(self._source, Recorded):
                 shutil.copyfile(self._source.path, partial)
+            else:
+                raise ValueError("a flight that was recorded in pieces has no file of its own")
             partial.replace(target)
         finally:
             partial.unlink(missing_ok=True)
@@ -127,10 +132,10 @@ class Run:
             raise NoFigures("holds no cycle of a mission, or no description of its vehicle")
         return found
 
-    def __getstate__(self) -> "Flown | Recorded":
+    def __getstate__(self) -> "Flown | Recorded | Joined":
         return self._source
 
-    def __setstate__(self, source: "Flown | Recorded") -> None:
+    def __setstate__(self, source: "Flown | Recorded | Joined") -> None:
         self._source = source
 
 

@@ -32,6 +32,9 @@ class RunSummary:
     outcome: str  # an Ending's word; "" when the run was not judged
     outcome_reason: str  # one sentence
     metrics: dict[str, Any] | None
+    seed: int = 0
+    parameters_sha256: str = ""  # "": the vehicle did not say
+    software_version: str = ""
 
 
 def summarise(path: Path) -> RunSummary:
@@ -65,6 +68,9 @@ def summarise(path: Path) -> RunSummary:
         outcome=_ending(end.get("outcome", "")),
         outcome_reason=end.get("outcome_reason", ""),
         metrics=metrics,
+        seed=info.seed,
+        parameters_sha256=info.parameters_sha256,
+        software_version=info.software_version,
     )
 
 

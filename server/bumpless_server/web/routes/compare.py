@@ -1,6 +1,5 @@
 """Recorded runs beside each other."""
 
-from pathlib import Path
 from typing import Annotated, Literal
 
 from fastapi import APIRouter, Query, Response
@@ -13,6 +12,7 @@ from bumpless_server.web.answers.compare import ComparisonAnswer
 from bumpless_server.web.answers.refusal import REFUSALS
 from bumpless_server.web.errors import Refusal
 from bumpless_server.web.routes import Served
+from bumpless_server.web.routes.flight import pieces_of
 from bumpless_server.web.routes.report import page_of
 
 router = APIRouter(prefix="/api/compare", responses=REFUSALS)
@@ -35,7 +35,7 @@ def report(
     """Two to six runs compared, as one HTML file that fetches nothing."""
     from bumpless.review.compared_report import comparison_report
 
-    paths = [_path(console, name) for name in run]
+    paths = [pieces_of(console, name, flown=True) for name in run]
     try:
         text = comparison_report(paths, align, hull_picture)
     except ExtraMissing as error:
@@ -46,18 +46,8 @@ def report(
 
 
 def _subject(console: Served, run: str) -> Subject:
-    path = _path(console, run)
+    pieces = pieces_of(console, run, flown=True)
     try:
-        return subject_of(path)
+        return subject_of(pieces)
     except ValueError as error:
         raise Refusal(422, f"run {run!r} {error}") from error
-
-
-def _path(console: Served, run: str) -> Path:
-    recording = console.recorder.recording
-    if recording is not None and recording.id == run:
-        raise Refusal(409, f"run {run!r} is being recorded; it can be compared when it is over")
-    path = console.catalogue.path(run)
-    if path is None:
-        raise Refusal(404, f"there is no run {run!r}")
-    return path

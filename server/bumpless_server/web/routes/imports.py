@@ -10,13 +10,14 @@ from fastapi.concurrency import run_in_threadpool
 from bumpless.contract.names import RUN
 from bumpless.runs.adopt import NotOurs, adopt
 from bumpless.runs.names import ENDING
+from bumpless.runs.pieces import LONGEST_NAME
 from bumpless_server.runs.errands import ErrandsBusy
-from bumpless_server.runs.recorder import free_id
 from bumpless_server.web.answers.contract import Answer
 from bumpless_server.web.answers.refusal import REFUSALS
 from bumpless_server.web.answers.runs import RunAnswer
 from bumpless_server.web.errors import Refusal
 from bumpless_server.web.routes import Served
+from bumpless_server.web.routes.noting import Noting
 from bumpless_server.web.routes.runs import one
 
 router = APIRouter(prefix="/api", responses=REFUSALS)
@@ -53,7 +54,7 @@ def disk(console: Served) -> DiskUse:
     openapi_extra={"requestBody": {"content": {"application/octet-stream": {}}, "required": True}},
 )
 async def bring_in(
-    console: Served, request: Request, name: Annotated[str, Query(max_length=200)]
+    console: Served, noting: Noting, request: Request, name: Annotated[str, Query(max_length=200)]
 ) -> RunAnswer:
     """Take an MCAP file with our messages into the list, also another recorder's, or one that was cut off."""
     stem = name.removesuffix(ENDING)
@@ -68,6 +69,7 @@ async def bring_in(
                 async for part in request.stream():
                     await run_in_threadpool(file.write, part)
             run = await run_in_threadpool(lambda: _taken(console, arrived, stem))
+            await run_in_threadpool(lambda: noting.note("import_run", run=run, file=name))
     except ErrandsBusy as error:
         raise Refusal(503, str(error)) from error
     except NotOurs as error:
@@ -78,11 +80,20 @@ async def bring_in(
 def _taken(console: Served, arrived: Path, stem: str) -> str:
     ready = arrived.with_name(f"ready{ENDING}")
     adopt(arrived, ready)
-    run = free_id(console.data.runs, stem)
+    run = _free_name(console.data.runs, stem)
     target = console.data.runs / f"{run}{ENDING}"
     ready.replace(target)
     console.catalogue.add(target)
     return run
+
+
+def _free_name(folder: Path, stem: str) -> str:
+    """A second file of one name is a copy, and must not be called like a piece of its flight."""
+    name, number = stem, 1
+    while (folder / f"{name}{ENDING}").exists():
+        number += 1
+        name = f"{stem[:LONGEST_NAME]}-copy{number}"
+    return name
 
 
 def _sizes(folder: Path) -> list[int]:

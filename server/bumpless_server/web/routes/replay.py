@@ -6,11 +6,13 @@ from typing import Annotated, Any
 from fastapi import APIRouter, Query, Response
 
 from bumpless.contract.messages import as_json
-from bumpless.runs.replay import NoReplay, Replay
+from bumpless.runs.flight_replay import FlightReplay
+from bumpless.runs.replay import NoReplay
 from bumpless_server.web.answers.refusal import REFUSALS
 from bumpless_server.web.answers.replay import ReplayAnswer, RunEvent
 from bumpless_server.web.errors import Refusal
 from bumpless_server.web.routes import Served
+from bumpless_server.web.routes.flight import pieces_of, stretches
 
 router = APIRouter(prefix="/api/runs", responses=REFUSALS)
 
@@ -20,26 +22,25 @@ BINARY: dict[int | str, dict[str, Any]] = {200: {"content": {FRAMES: {}}}}
 Seconds = Annotated[float, Query(ge=-1e9, le=1e9, allow_inf_nan=False)]
 
 
-def _replay(console: Served, run: str) -> Replay:
-    recording = console.recorder.recording
-    if recording is not None and recording.id == run:
-        raise Refusal(409, f"run {run!r} is being recorded; it can be replayed when it is over")
-    path = console.catalogue.path(run)
-    if path is None:
-        raise Refusal(404, f"there is no run {run!r}")
+def _replay(console: Served, run: str) -> FlightReplay:
     try:
-        return console.replays.of(path)
+        return console.replays.of(pieces_of(console, run))
     except NoReplay as error:
         raise Refusal(422, f"run {run!r} cannot be replayed: {error}") from error
 
 
 @router.get("/{run}/replay")
 def replay(console: Served, run: str) -> ReplayAnswer:
-    """How long the run is and what happened in it."""
+    """How long the flight is that the run is of, what happened in it, and what was not recorded."""
     found = _replay(console, run)
     events = [RunEvent.model_validate(as_json(event)) for event in found.events()]
     return ReplayAnswer(
-        run=run, first_s=found.first_s, last_s=found.last_s, cycles=found.cycles, events=events
+        run=run,
+        first_s=found.first_s,
+        last_s=found.last_s,
+        cycles=found.cycles,
+        events=events,
+        **stretches(found),
     )
 
 

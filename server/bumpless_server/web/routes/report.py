@@ -7,23 +7,19 @@ from bumpless_server.scene.hull_picture import hull_picture
 from bumpless_server.web.answers.refusal import REFUSALS
 from bumpless_server.web.errors import Refusal
 from bumpless_server.web.routes import Served
+from bumpless_server.web.routes.flight import pieces_of
 
 router = APIRouter(prefix="/api/runs", responses=REFUSALS)
 
 
 @router.get("/{run}/report.html", response_class=Response, responses={200: {"content": {"text/html": {}}}})
 def report(console: Served, run: str) -> Response:
-    """The run's report: one HTML file that fetches nothing and prints on A4."""
-    recording = console.recorder.recording
-    if recording is not None and recording.id == run:
-        raise Refusal(409, f"run {run!r} is being recorded; its report can be made when it is over")
-    path = console.catalogue.path(run)
-    if path is None:
-        raise Refusal(404, f"there is no run {run!r}")
+    """The report of the flight that the run is of: one HTML file that fetches nothing and prints on A4."""
+    pieces = pieces_of(console, run, flown=True)
     from bumpless.review.report import report_of
 
     try:
-        text = report_of(path, hull_picture)
+        text = report_of(pieces, hull_picture)
     except ExtraMissing as error:
         raise Refusal(501, str(error)) from error
     except ValueError as error:

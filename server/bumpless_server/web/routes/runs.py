@@ -11,6 +11,7 @@ from fastapi.responses import FileResponse, StreamingResponse
 from pydantic import ValidationError
 
 from bumpless.runs.names import RECORDING
+from bumpless.runs.pieces import piece_of
 from bumpless.runs.writer import RunWriter
 from bumpless_server.runs.catalogue import Row
 from bumpless_server.runs.shelf import Words
@@ -19,6 +20,7 @@ from bumpless_server.web.answers.refusal import REFUSALS
 from bumpless_server.web.answers.runs import RunAnswer
 from bumpless_server.web.errors import Refusal
 from bumpless_server.web.routes import Served
+from bumpless_server.web.routes.noting import Noting
 
 router = APIRouter(prefix="/api/runs", responses=REFUSALS)
 
@@ -48,6 +50,7 @@ def _going_on(run: RunWriter) -> RunAnswer:
     return RunAnswer(
         id=run.id,
         run_id=run.run_id,
+        piece=piece_of(run.id, run.run_id),
         mission=status.mission_name,
         mission_sha256=status.mission_sha256,
         vehicle="",
@@ -120,7 +123,7 @@ def download(console: Served, run: str) -> Response:
 
 
 @router.delete("/{run}", status_code=204)
-def remove(console: Served, run: str) -> Response:
+def remove(console: Served, noting: Noting, run: str) -> Response:
     """Put a finished run into the bin."""
     if _going_on_of(console, run) is not None:
         raise Refusal(409, f"run {run!r} is being recorded")
@@ -129,6 +132,7 @@ def remove(console: Served, run: str) -> Response:
         raise Refusal(404, f"there is no run {run!r}")
     console.shelf.throw(path)
     console.catalogue.delete(run)
+    noting.note("throw_away_run", run=run)
     return Response(status_code=204)
 
 
