@@ -71,11 +71,11 @@ def ruler_text(start: np.ndarray, end: np.ndarray) -> str:
     """Distance, level distance with bearing, and depth between two places in NED, m."""
     north, east, down = (float(v) for v in end - start)
     whole = float(np.linalg.norm(end - start))
-    bearing = degrees(atan2(east, north)) % 360.0
+    bearing = round(degrees(atan2(east, north))) % 360
     level = float(np.hypot(north, east))
     words = [f"{whole:.2f} m"]
     if level >= 0.005:
-        words.append(f"level {level:.2f} m to {bearing:03.0f}°")
+        words.append(f"level {level:.2f} m to {bearing:03d}°")
     if abs(down) >= 0.005:
         words.append(f"{abs(down):.2f} m {'deeper' if down > 0.0 else 'shallower'}")
     return " · ".join(words)
