@@ -108,9 +108,9 @@ def draft_ahead_and_apply(page: Page, other: Page) -> None:
 
     stale = other.get_by_role("status").filter(has_text="Applying it would be refused")
     expect(stale).to_be_visible()
-    other.get_by_role("button", name="Apply to vehicle").click()
-    refused = other.get_by_role("alert").filter(has_text="Refused; nothing was changed.")
-    expect(refused).to_contain_text("holds control")
+    barred = other.get_by_role("button", name="Apply to vehicle")
+    expect(barred).to_be_disabled()
+    expect(barred).to_have_attribute("title", "Another operator is in control")
     assert page.evaluate(STALE) == 412  # and of who holds it, a change of an old revision is refused as well
     stale.get_by_role("button").click()
     expect(stale).to_have_count(0)
@@ -120,8 +120,15 @@ def draft_ahead_and_apply(page: Page, other: Page) -> None:
 def explain_the_switch(page: Page) -> None:
     """The log says of the switch to reverse what was true and what would have prevented it."""
     show(page, "Live")
-    switch = page.get_by_role("log").get_by_role("listitem").filter(has_text="to reverse")
-    expect(switch.first).to_be_visible(timeout=FLIES_MS)
+    switch = page.get_by_role("log").get_by_role("listitem").filter(has_text="to reverse").first
+    expect(switch).to_be_visible(timeout=FLIES_MS)
+    switch.locator("summary").click()
+    facts = switch.locator("dl")
+    expect(facts).to_contain_text("would have been prevented by")
+    expect(facts).not_to_contain_text("not told")
+    expect(facts).to_contain_text(re.compile(r"range, target\s*\d+\.\d+ m, seen"))
+    expect(switch.get_by_role("img", name="Transition factor and weights")).to_be_visible(timeout=FLIES_MS)
+    expect(facts).to_contain_text(re.compile(r"step of the commands\s*0\.\d{4} , last run's 0\.\d{4}"))
 
 
 def replay(page: Page) -> str:

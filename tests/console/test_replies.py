@@ -12,7 +12,7 @@ from tests.console.replies import default_replies
 
 ROUTES = [
     route
-    for router in (*ROUTERS, Proxy(lambda _request: None, Cameras().set_view).router)
+    for router in (*ROUTERS, Proxy(lambda _request: None, Cameras()).router)
     for route in router.routes
     if isinstance(route, APIRoute)
 ]

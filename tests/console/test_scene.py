@@ -152,6 +152,29 @@ def test_cameras_are_each_operators_own(page: Page, served: Served, flight: Flig
         context.close()
 
 
+def test_a_ruler_measures_in_its_own_picture_from_click_to_click(
+    page: Page, served: Served, flight: Flight
+) -> None:
+    """From vehicle to dock as it is laid down, then to what is clicked; other operators see none of it."""
+    _open(page, served)
+    _fly_until(page, flight, pb.MODE_FORWARD, lambda p: _share(p, palette.FORWARD) > 5e-4)
+
+    def lay(on: bool) -> object:
+        address, headers = f"{served.origin}/api/scene/ruler", {"Origin": served.origin}
+        return page.request.post(address, data={"on": on}, headers=headers).json()
+
+    assert lay(True) == {"on": True, "viewers": 1}
+    cameras = served.scene.cameras
+    (ruler,) = cameras.rulers()
+    expected = 26.0 - cameras.places.vehicle[0]
+    assert float(ruler.label.text.split(" m")[0]) == pytest.approx(expected, abs=0.2)
+    before = ruler.ends
+    _until(page, lambda: not page.mouse.click(320, 290) and ruler.ends != before)
+    assert ruler.ends[0].thing == "vehicle" and ruler.ends != before
+    assert lay(False) == {"on": False, "viewers": 1}
+    assert not cameras.rulers()
+
+
 def test_light_theme_and_own_panel(page: Page, served: Served, flight: Flight) -> None:
     """The console's light theme reaches the background, and viser's own controls stay hidden."""
     _open(page, served, "&theme=light")

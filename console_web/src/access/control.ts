@@ -30,8 +30,13 @@ export const asked = computed((): boolean =>
 export const commands = computed((): boolean => me.value?.role !== "observer");
 export const tunes = computed((): boolean => me.value === undefined || me.value.role === "engineer");
 
-/** Starting and resuming are not for this browser now. */
-export const barred = computed((): boolean => heldByOther.value || !commands.value);
+export const NOT_YOURS = "Another operator is in control";
+export const OBSERVES = "An observer gives no commands";
+
+/** Why starting and resuming are not for this browser now; "" when they are. */
+export const barred = computed((): string =>
+  commands.value ? (heldByOther.value ? NOT_YOURS : "") : OBSERVES,
+);
 
 /** The last refusal of what is below. */
 export const controlRefused = signal<Refusal | undefined>(undefined);

@@ -6,6 +6,7 @@ import { colour, font } from "../lib/theme";
 import { href } from "../shell/address";
 import { history } from "../stream/history";
 import { shownFlying } from "../stream/screen";
+import { ActButton } from "../ui/act_button";
 import { Canvas } from "../ui/canvas";
 import { Empty, Panel } from "../ui/panel";
 import { RefusalIn } from "../ui/refusal";
@@ -44,10 +45,18 @@ const LINES = [
   { column: "residual", name: "Residual norm", unit: "", downward: false },
 ];
 
+/** Why nothing can be flown ahead; "" when it can. */
+function whyNotAhead(): string {
+  if (!shownFlying.value) return "No mission is being flown";
+  if (draft.invalid.value.size > 0) return "A field of the draft holds no number";
+  return draft.changedPaths.value.length ? "" : "The draft has no change";
+}
+
 export function AheadPanel() {
   const parameters = jsonOfFlat(draft.whole());
   const changed = draft.changedPaths.value.length > 0 && draft.invalid.value.size === 0;
   const can = changed && shownFlying.value;
+  const whyNot = flying.value ? "It is being flown ahead" : whyNotAhead();
   const asked = JSON.stringify(parameters);
   useEffect(() => {
     if (!can || !follows.value) return;
@@ -85,14 +94,9 @@ export function AheadPanel() {
               </option>
             ))}
           </select>
-          <button
-            type="button"
-            class="action small"
-            disabled={!can || flying.value}
-            onClick={() => void flyAhead(parameters)}
-          >
+          <ActButton class="action small" why={whyNot} onAct={() => void flyAhead(parameters)}>
             {flying.value ? "Flying" : "Fly ahead"}
-          </button>
+          </ActButton>
         </>
       }
     >

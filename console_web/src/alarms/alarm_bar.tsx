@@ -1,7 +1,7 @@
 // Below the command line on every view: what went wrong stays here until a person has seen it.
 import { useSignal } from "@preact/signals";
 import { useRef } from "preact/hooks";
-import { heldByOther } from "../access/control";
+import { heldByOther, NOT_YOURS } from "../access/control";
 import type { Alarm } from "../gen/bumpless_pb";
 import { timeOfDay, zoneName } from "../lib/zone";
 import { ActButton } from "../ui/act_button";
@@ -30,7 +30,6 @@ const SHELVES: [seconds: number, name: string][] = [
   [28_800, "8 h"],
 ];
 const FIRST_SHELF_S = 600;
-const NOT_YOURS = "For who is in control";
 const STATES: Record<AlarmState, string> = {
   unacknowledged: "holds",
   acknowledged: "seen, holds",
@@ -117,8 +116,7 @@ function Row({ alarm }: { alarm: Alarm }) {
       {!alarm.acknowledgedNs && (
         <ActButton
           class="action small"
-          waiting={heldByOther.value}
-          title={heldByOther.value ? NOT_YOURS : undefined}
+          why={heldByOther.value ? NOT_YOURS : ""}
           onAct={() => void acknowledge(alarm)}
         >
           <CheckIcon size={12} /> Seen<span class="sr">: {alarm.text}</span>
@@ -135,8 +133,8 @@ function Shelve({ alarm }: { alarm: Alarm }) {
     <span class="shelve">
       <ActButton
         class="action small"
-        waiting={heldByOther.value}
-        title={heldByOther.value ? NOT_YOURS : "Keep it out of the way for a time; it comes back by itself"}
+        why={heldByOther.value ? NOT_YOURS : ""}
+        title="Keep it out of the way for a time; it comes back by itself"
         onAct={() => void shelve(alarm, seconds.value)}
       >
         <ClockIcon size={12} /> Shelve<span class="sr">: {alarm.text}</span>

@@ -1628,6 +1628,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/scene/ruler": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Ruler
+         * @description Lay the ruler down in the caller's own picture, or take it away.
+         */
+        post: operations["ruler_api_scene_ruler_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/schemas/{kind}": {
         parameters: {
             query?: never;
@@ -4020,6 +4040,29 @@ export interface components {
             revision: number;
             /** Session */
             session: string;
+        };
+        /**
+         * RulerAnswer
+         * @description In how many of the caller's tabs it was laid down or taken away.
+         */
+        RulerAnswer: {
+            /** On */
+            on: boolean;
+            /** Viewers */
+            viewers: number;
+        };
+        /**
+         * RulerRequest
+         * @description Whether the ruler lies out in the caller's own picture.
+         */
+        RulerRequest: {
+            /** On */
+            on: boolean;
+            /**
+             * Tab
+             * @default
+             */
+            tab?: string;
         };
         /**
          * RunAnswer
@@ -7962,6 +8005,43 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["CameraAnswer"];
+                };
+            };
+            400: components["responses"]["Refused400"];
+            401: components["responses"]["Refused401"];
+            403: components["responses"]["Refused403"];
+            404: components["responses"]["Refused404"];
+            405: components["responses"]["Refused405"];
+            409: components["responses"]["Refused409"];
+            413: components["responses"]["Refused413"];
+            421: components["responses"]["Refused421"];
+            422: components["responses"]["Refused422"];
+            429: components["responses"]["Refused429"];
+            500: components["responses"]["Refused500"];
+            503: components["responses"]["Refused503"];
+            507: components["responses"]["Refused507"];
+        };
+    };
+    ruler_api_scene_ruler_post: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["RulerRequest"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["RulerAnswer"];
                 };
             };
             400: components["responses"]["Refused400"];

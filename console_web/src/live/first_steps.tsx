@@ -1,9 +1,10 @@
 // Where nothing has been flown yet: three ways to begin. The example comes with captions as it happens.
 import { signal } from "@preact/signals";
+import { barred } from "../access/control";
 import { missions } from "../api/resources";
 import { MissionPhase, Mode } from "../gen/bumpless_pb";
 import { go } from "../shell/address";
-import { busy, chosen, startShown } from "../shell/commands";
+import { chosen, startShown, waits } from "../shell/commands";
 import { flying, link, phase } from "../stream/link";
 import { ownFirst } from "../stream/present";
 import { screen, shownMode } from "../stream/screen";
@@ -26,7 +27,11 @@ export function FirstSteps() {
 function Cards() {
   const list = ownFirst(missions.value ?? []);
   const example = list.find(({ name }) => name === EXAMPLE) ?? list[0];
-  const ready = link.value.look === "live" && example !== undefined && busy.value === undefined;
+  const why =
+    (link.value.look === "live" ? "" : "No live vehicle") ||
+    (example ? "" : "The missions have not come yet") ||
+    waits.value ||
+    barred.value;
   const fly = async (): Promise<void> => {
     if (!example) return;
     chosen.value = example.name;
@@ -37,7 +42,7 @@ function Cards() {
       <article>
         <h2>Fly the example</h2>
         <p>{example?.title || "A docking flight"}, with a caption for what happens.</p>
-        <ActButton class="action primary" waiting={!ready} onAct={() => void fly()}>
+        <ActButton class="action primary" why={why} onAct={() => void fly()}>
           <PlayIcon /> Fly it
         </ActButton>
       </article>

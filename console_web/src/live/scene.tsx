@@ -23,11 +23,18 @@ type Camera = (typeof CAMERAS)[number]["value"];
 
 export function Scene({ hidden }: { hidden: boolean }) {
   const camera = useSignal<Camera>("follow");
-  const refused = useSignal<Refusal | undefined>(undefined);
+  const ruler = useSignal(false);
+  const refused = useSignal<{ what: string; refusal: Refusal } | undefined>(undefined);
   const choose = async (view: Camera): Promise<void> => {
     const answer = await ask("post", "/api/scene/camera", { body: { view, tab: TAB } });
-    refused.value = answer.ok ? undefined : answer;
+    refused.value = answer.ok ? undefined : { what: "Camera not changed", refusal: answer };
     if (answer.ok) camera.value = view;
+  };
+  const rule = async (): Promise<void> => {
+    const on = !ruler.value;
+    const answer = await ask("post", "/api/scene/ruler", { body: { on, tab: TAB } });
+    refused.value = answer.ok ? undefined : { what: "Ruler not changed", refusal: answer };
+    if (answer.ok) ruler.value = on;
   };
   return (
     <section class="panel scene" aria-label="3-D scene" hidden={hidden}>
@@ -35,6 +42,16 @@ export function Scene({ hidden }: { hidden: boolean }) {
         <h2>Scene</h2>
         <span class="unit">NED</span>
         <span class="grow" />
+        <span class="segments">
+          <button
+            type="button"
+            aria-pressed={ruler.value}
+            title="From vehicle to dock; a click in the scene measures to what is clicked, the next one on from there"
+            onClick={() => void rule()}
+          >
+            Ruler
+          </button>
+        </span>
         <Segments
           name="Camera"
           choices={CAMERAS}
@@ -45,7 +62,7 @@ export function Scene({ hidden }: { hidden: boolean }) {
       <SceneFrame />
       {refused.value && (
         <p class="scene-note" role="alert">
-          Camera not changed: {refused.value.reason}
+          {refused.value.what}: {refused.value.refusal.reason}
         </p>
       )}
     </section>

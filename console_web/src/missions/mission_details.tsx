@@ -1,14 +1,16 @@
 // The chosen mission: what it is for, its path from above, its file as written.
 import { useComputed, useSignal, useSignalEffect } from "@preact/signals";
+import { barred } from "../access/control";
 import { ask } from "../api/client";
 import type { Answer } from "../api/http";
 import { missions } from "../api/resources";
 import type { MissionDetail } from "../api/types";
 import { MissionPhase } from "../gen/bumpless_pb";
 import { clock, fixed } from "../lib/format";
-import { busy, choosing, chosen, seedRefused, mission as shown, startShown } from "../shell/commands";
+import { choosing, chosen, seedRefused, mission as shown, startShown, waits } from "../shell/commands";
 import { flying, link, PHASES, phase } from "../stream/link";
 import { foreign } from "../stream/present";
+import { ActButton } from "../ui/act_button";
 import { DeleteButton } from "../ui/delete_button";
 import { PlayIcon } from "../ui/icons";
 import { Empty, Panel } from "../ui/panel";
@@ -103,14 +105,13 @@ function StartHere({ detail }: { detail: MissionDetail }) {
   return (
     <>
       {why && <span class="muted">{why}</span>}
-      <button
-        type="button"
+      <ActButton
         class="action primary"
-        disabled={why !== "" || busy.value !== undefined}
-        onClick={() => void (choosing.peek() || startShown(detail))}
+        why={why || waits.value || barred.value}
+        onAct={() => void (choosing.peek() || startShown(detail))}
       >
         <PlayIcon /> Start this mission
-      </button>
+      </ActButton>
     </>
   );
 }

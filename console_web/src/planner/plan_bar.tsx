@@ -2,6 +2,7 @@
 import { useSignal } from "@preact/signals";
 import { ask } from "../api/client";
 import { bytes } from "../lib/format";
+import { ActButton } from "../ui/act_button";
 import { CheckIcon, CrossIcon, HollowIcon, PlayIcon, RedoIcon, UndoIcon, WarningIcon } from "../ui/icons";
 import { RefusalNotice } from "../ui/refusal";
 import { hard } from "./fly/forecast";
@@ -107,23 +108,22 @@ function Rename() {
   const bad = typed.value !== undefined && !/^[A-Za-z0-9][A-Za-z0-9_-]{0,63}$/.test(typed.value);
   if (typed.value === undefined)
     return (
-      <button
-        type="button"
+      <ActButton
         class="link code muted"
-        disabled={dirty || builtin.value}
-        title={
+        why={
           builtin.value
             ? "It comes with Bumpless and keeps its name"
             : dirty
               ? "Save before you rename it"
-              : "Rename"
+              : ""
         }
-        onClick={() => {
+        title="Rename"
+        onAct={() => {
           typed.value = name.peek();
         }}
       >
         {name.value}
-      </button>
+      </ActButton>
     );
   const finish = async (): Promise<void> => {
     const to = typed.peek();
@@ -149,39 +149,38 @@ function Rename() {
   );
 }
 
+/** Why there is nothing to save now; "" when there is. */
+function whyNotSaved(): string {
+  if (saving.value) return "It is being saved";
+  if (unsaved.value) return "";
+  return builtin.value ? "It comes with Bumpless and stays: an edit makes a copy" : "It is saved as it is";
+}
+
 function Actions() {
   return (
     <>
-      <button
-        type="button"
+      <ActButton
         class="quiet"
-        aria-label="Undo"
-        disabled={undoLabel.value === undefined}
-        title={`Undo: ${undoLabel.value ?? "nothing"} (Ctrl+Z)`}
-        onClick={undo}
+        label="Undo"
+        why={undoLabel.value === undefined ? "Nothing to undo" : ""}
+        title={`Undo: ${undoLabel.value} (Ctrl+Z)`}
+        onAct={undo}
       >
         <UndoIcon size={16} />
-      </button>
-      <button
-        type="button"
+      </ActButton>
+      <ActButton
         class="quiet"
-        aria-label="Redo"
-        disabled={redoLabel.value === undefined}
-        title={`Redo: ${redoLabel.value ?? "nothing"} (Ctrl+Y)`}
-        onClick={redo}
+        label="Redo"
+        why={redoLabel.value === undefined ? "Nothing to redo" : ""}
+        title={`Redo: ${redoLabel.value} (Ctrl+Y)`}
+        onAct={redo}
       >
         <RedoIcon size={16} />
-      </button>
+      </ActButton>
       <More />
-      <button
-        type="button"
-        class="action"
-        disabled={!unsaved.value || saving.value}
-        title={builtin.value ? "It comes with Bumpless and stays: an edit makes a copy" : "Ctrl+S"}
-        onClick={() => void save()}
-      >
+      <ActButton class="action" why={whyNotSaved()} title="Ctrl+S" onAct={() => void save()}>
         {saving.value ? "Saving" : "Save"}
-      </button>
+      </ActButton>
       <button
         type="button"
         class="action primary"
@@ -195,6 +194,8 @@ function Actions() {
     </>
   );
 }
+
+const COMES = "It comes with Bumpless and stays as it is";
 
 function More() {
   const open = useSignal(false);
@@ -223,18 +224,22 @@ function More() {
           <button type="button" onClick={run(duplicate)}>
             Duplicate
           </button>
-          <button type="button" disabled={!stored.value || !unsaved.value} onClick={run(() => void revert())}>
+          <ActButton
+            class=""
+            why={stored.value && unsaved.value ? "" : "There is no change since it was saved"}
+            onAct={run(() => void revert())}
+          >
             Discard changes
-          </button>
-          <button
-            type="button"
-            disabled={!stored.value || builtin.value}
-            onClick={run(() => {
+          </ActButton>
+          <ActButton
+            class=""
+            why={builtin.value ? COMES : stored.value ? "" : "It has not been saved yet"}
+            onAct={run(() => {
               versionsOpen.value = true;
             })}
           >
             Earlier versions …
-          </button>
+          </ActButton>
           <button type="button" onClick={run(() => give(text.peek(), `${name.peek()}.yaml`))}>
             Download YAML
           </button>
@@ -243,9 +248,9 @@ function More() {
               Download {words}
             </button>
           ))}
-          <button type="button" disabled={builtin.value} onClick={run(() => void remove())}>
+          <ActButton class="" why={builtin.value ? COMES : ""} onAct={run(() => void remove())}>
             Delete
-          </button>
+          </ActButton>
         </div>
       )}
     </div>

@@ -122,7 +122,14 @@ function Sheet() {
           name="Start the mission"
           class="start"
           holdMs={800}
-          disabled={why !== "" || asks || starting.value || saving.value}
+          why={
+            why ||
+            (asks
+              ? "Something above is to be confirmed first"
+              : starting.value || saving.value
+                ? "It is being saved or started"
+                : "")
+          }
           onHeld={() => void start()}
         >
           <PlayIcon />{" "}

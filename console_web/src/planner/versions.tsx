@@ -4,6 +4,7 @@ import { useEffect, useRef } from "preact/hooks";
 import { ask } from "../api/client";
 import type { components } from "../gen/api";
 import { bytes, dateTime } from "../lib/format";
+import { ActButton } from "../ui/act_button";
 import { CrossIcon } from "../ui/icons";
 import { Empty } from "../ui/panel";
 import { name } from "./model/library";
@@ -104,18 +105,17 @@ function Difference({ id, onTaken }: { id: string; onTaken: () => void }) {
           </span>
         ))}
       </pre>
-      <button
-        type="button"
+      <ActButton
         class="action"
-        disabled={lines.length === 0}
+        why={lines.length === 0 ? "It is the same as what is shown" : ""}
         title="Ctrl+Z takes it back"
-        onClick={() => {
+        onAct={() => {
           setText(before, "Take an earlier version");
           onTaken();
         }}
       >
         Take this version
-      </button>
+      </ActButton>
     </div>
   );
 }

@@ -6,6 +6,7 @@ import type { Refusal } from "../api/http";
 import { runs } from "../api/resources";
 import type { RunSummary } from "../api/types";
 import { go } from "../shell/address";
+import { ActButton } from "../ui/act_button";
 import { CrossIcon } from "../ui/icons";
 import { ProblemTable, RefusalNotice } from "../ui/refusal";
 
@@ -140,9 +141,13 @@ export function FlyAgain({ run }: { run: RunSummary }) {
             chosen={seen}
           />
         </div>
-        <button type="submit" class="action primary" disabled={flying.value}>
+        <ActButton
+          type="submit"
+          class="action primary"
+          why={flying.value ? "It is being flown: its comparison opens when it is done" : ""}
+        >
           {flying.value ? "Flying" : "Fly and compare"}
-        </button>
+        </ActButton>
         {flying.value && (
           <span class="muted" role="status">
             It is flown beside everything else, at low priority.

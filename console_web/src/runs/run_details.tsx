@@ -183,12 +183,8 @@ function Delete({ flight: { head, pieces, growing } }: { flight: Flight }) {
     <DeleteButton
       name={`Delete run ${head.id}`}
       holdMs={1000}
-      disabled={growing !== undefined}
-      title={
-        growing
-          ? "A run being recorded cannot be deleted"
-          : `Press and hold to put the record${all} into the bin`
-      }
+      why={growing ? "A run being recorded cannot be deleted" : ""}
+      title={`Press and hold to put the record${all} into the bin`}
       remove={() => throwAway(pieces.map(({ id }) => id))}
       after={() => runs.refresh()}
     />

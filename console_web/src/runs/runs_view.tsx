@@ -7,6 +7,7 @@ import type { RunSummary } from "../api/types";
 import { CompareView } from "../compare/compare_view";
 import { MOST } from "../compare/compared";
 import { address, go } from "../shell/address";
+import { ActButton } from "../ui/act_button";
 import { ENDINGS } from "../ui/endings";
 import { DownloadIcon } from "../ui/icons";
 import { Main } from "../ui/main";
@@ -79,15 +80,13 @@ function List() {
             </select>
             <SavedViews />
             <BringIn />
-            <button
-              type="button"
+            <ActButton
               class="action small"
-              disabled={marked.value.length < 2}
-              title="Mark two to six runs in the list"
-              onClick={() => go("runs", "", { compare: marked.value.join() })}
+              why={marked.value.length < 2 ? "Mark two to six runs in the list first" : ""}
+              onAct={() => go("runs", "", { compare: marked.value.join() })}
             >
               Compare {marked.value.length || ""}
-            </button>
+            </ActButton>
             <span class="muted num">{sorted.length || ""}</span>
           </>
         }
@@ -179,6 +178,7 @@ function Row({ flight, chosen, marked, onMark, onChoose }: RowProps) {
           aria-label={`Mark ${head.id} to compare`}
           checked={marked}
           disabled={head.state === "recording"}
+          title={head.state === "recording" ? "A run being recorded can't be compared yet" : undefined}
           onClick={(event) => event.stopPropagation()}
           onChange={onMark}
         />

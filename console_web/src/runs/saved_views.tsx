@@ -2,6 +2,7 @@
 import { useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import type { Refusal } from "../api/http";
+import { ActButton } from "../ui/act_button";
 import { CrossIcon, UndoIcon } from "../ui/icons";
 import { RefusalIn } from "../ui/refusal";
 import { ALL, COLUMNS } from "./columns";
@@ -65,10 +66,11 @@ function Menu({ onClose }: { onClose: () => void }) {
     const answer = await keepView(name.value.trim());
     refusal.value = answer.ok ? undefined : answer;
   };
+  const home = (): void => panel.current?.querySelector("button")?.focus();
   const forget = async (view: RunView): Promise<void> => {
     const answer = await forgetView(view);
     refusal.value = answer.ok ? undefined : answer;
-    panel.current?.querySelector("button")?.focus();
+    home();
   };
   const replaces = runViews.value?.some((view) => view.name === name.value.trim());
   return (
@@ -114,7 +116,7 @@ function Menu({ onClose }: { onClose: () => void }) {
         <p class="muted">No view yet. Search, choose columns, and keep what you see under a name, for all.</p>
       )}
       {runViews.refusal && <p class="lost">Views cannot be read: {runViews.refusal.reason}</p>}
-      <UndoView />
+      <UndoView onDone={home} />
       <RefusalIn title="Not changed." of={refusal} />
       <form
         class="views-keep"
@@ -132,9 +134,13 @@ function Menu({ onClose }: { onClose: () => void }) {
             name.value = event.currentTarget.value;
           }}
         />
-        <button type="submit" class="action small" disabled={!name.value.trim()}>
+        <ActButton
+          type="submit"
+          class="action small"
+          why={name.value.trim() ? "" : "Give the view a name first"}
+        >
           {replaces ? "Replace" : "Save view"}
-        </button>
+        </ActButton>
       </form>
       <fieldset class="views-columns">
         <legend class="muted">Columns</legend>
@@ -149,12 +155,13 @@ function Menu({ onClose }: { onClose: () => void }) {
   );
 }
 
-function UndoView() {
+/** `onDone`: the button goes with what it took back, and must not take the focus along. */
+function UndoView({ onDone }: { onDone: () => void }) {
   if (!undone.value) return null;
   return (
     <p class="take-back" role="status">
       <span class="ellipsis">{undone.value.text}</span>
-      <button type="button" class="action small" onClick={() => void takeViewBack()}>
+      <button type="button" class="action small" onClick={() => void takeViewBack().then(onDone)}>
         <UndoIcon size={12} /> Undo
       </button>
     </p>

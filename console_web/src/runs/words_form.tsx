@@ -4,6 +4,7 @@ import { ask } from "../api/client";
 import type { Refusal } from "../api/http";
 import { runs } from "../api/resources";
 import type { RunSummary } from "../api/types";
+import { ActButton } from "../ui/act_button";
 import { RefusalIn } from "../ui/refusal";
 
 export function WordsForm({ run }: { run: RunSummary }) {
@@ -66,9 +67,13 @@ export function WordsForm({ run }: { run: RunSummary }) {
           }}
         />
       </label>
-      <button type="submit" class="action small" disabled={!changed}>
+      <ActButton
+        type="submit"
+        class="action small"
+        why={changed ? "" : "Title, tags and note are as they are kept"}
+      >
         Save
-      </button>
+      </ActButton>
       <RefusalIn title="Not saved." of={refusal} />
     </form>
   );

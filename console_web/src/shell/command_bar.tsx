@@ -1,7 +1,7 @@
 // Second line, on every view: what flies, how far it is, and the four commands. Abort stands
 // apart at the far end and wants to be held.
 import { useRef } from "preact/hooks";
-import { barred, commands } from "../access/control";
+import { barred, commands, OBSERVES } from "../access/control";
 import { ControlChip } from "../access/control_chip";
 import { missions } from "../api/resources";
 import { type Event, MissionPhase } from "../gen/bumpless_pb";
@@ -30,6 +30,7 @@ import {
   seed,
   seedRefused,
   startChosen,
+  waits,
 } from "./commands";
 import { view } from "./views";
 
@@ -46,11 +47,8 @@ export function CommandBar() {
   const bar = useRef<HTMLElement>(null);
   useKeptFocus(bar);
   const reachable = link.value.look === "live" || link.value.look === "stale";
-  const ready = reachable && busy.value === undefined;
+  const why = (reachable ? "" : "No live vehicle") || waits.value;
   const paused = phase.value === MissionPhase.PAUSED;
-  const title = moving.value
-    ? "Press and hold for one second: stops all actuators. The vehicle then drifts, and rises where it is buoyant."
-    : "All actuators are at rest";
   return (
     <>
       <section class="commandbar" aria-label="Mission control" ref={bar}>
@@ -67,11 +65,11 @@ export function CommandBar() {
             />
           </span>
         )}
-        {!flying.value && view.value !== STARTS_ITSELF && <Chooser waiting={!ready || barred.value} />}
+        {!flying.value && view.value !== STARTS_ITSELF && <Chooser why={why || barred.value} />}
         {flying.value && (
           <ActButton
             class="action"
-            waiting={!ready || !commands.value || (paused && barred.value)}
+            why={why || (commands.value ? "" : OBSERVES) || (paused ? barred.value : "")}
             title={paused ? "Go on with the mission" : "Brake and hold station here; the mission waits"}
             onAct={() => void command(paused ? "resume" : "pause")}
           >
@@ -82,8 +80,8 @@ export function CommandBar() {
           name="Abort mission"
           class="abort"
           holdMs={1000}
-          disabled={!moving.value || link.value.look === "offline" || !commands.value}
-          title={title}
+          why={whyNoAbort()}
+          title="Press and hold for one second: stops all actuators. The vehicle then drifts, and rises where it is buoyant."
           onHeld={() => void command("abort")}
         >
           <StopIcon /> Hold to abort
@@ -92,6 +90,13 @@ export function CommandBar() {
       <Refused />
     </>
   );
+}
+
+/** While an actuator may move, it can be aborted. */
+function whyNoAbort(): string {
+  if (!moving.value) return "All actuators are at rest";
+  if (link.value.look === "offline") return "The server does not answer";
+  return commands.value ? "" : OBSERVES;
 }
 
 function Refused() {
@@ -210,7 +215,15 @@ function Elapsed({ elapsedS, durationS, heldS }: { elapsedS: number; durationS: 
   );
 }
 
-function Chooser({ waiting }: { waiting: boolean }) {
+/** Why what is chosen can't be started; "" when it can. */
+function whyNoStart(): string {
+  if (choosing.value) return "Another mission is being opened";
+  if (!mission.value) return "No mission is chosen";
+  if (misfit.value) return `This mission is for ${misfit.value}`;
+  return seedRefused.value ? "The seed is no whole number" : "";
+}
+
+function Chooser({ why }: { why: string }) {
   const list = ownFirst(missions.value ?? []);
   return (
     <form
@@ -248,12 +261,7 @@ function Chooser({ waiting }: { waiting: boolean }) {
           }}
         />
       </label>
-      <ActButton
-        type="submit"
-        class="action primary"
-        waiting={waiting || choosing.value || !mission.value || misfit.value !== "" || seedRefused.value}
-        title={misfit.value ? `This mission is for ${misfit.value}` : undefined}
-      >
+      <ActButton type="submit" class="action primary" why={why || whyNoStart()}>
         <PlayIcon /> {busy.value === "start" ? "Starting" : "Start"}
       </ActButton>
     </form>

@@ -9,12 +9,18 @@ import { foreign, ownFirst } from "../stream/present";
 
 export type Verb = "start" | "pause" | "resume" | "abort";
 
+const WORDS: Record<Verb, string> = { start: "Start", pause: "Hold", resume: "Resume", abort: "Abort" };
+
 export interface Notice {
   title: string;
   refusal: Refusal;
 }
 
 export const busy = signal<Verb | undefined>(undefined);
+/** What is waited for before the next command can be given; "" for nothing. */
+export const waits = computed((): string =>
+  busy.value ? `The answer to ${WORDS[busy.value]} is awaited` : "",
+);
 /** The last refused command, until dismissed or until a command is accepted. */
 export const notice = signal<Notice | undefined>(undefined);
 /** The operator's choice, "" before there is one. */

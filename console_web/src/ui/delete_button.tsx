@@ -8,14 +8,15 @@ import { RefusalIn } from "./refusal";
 interface Props {
   name: string;
   holdMs: number;
-  disabled?: boolean;
+  /** Why it can't be deleted now; "" when it can. */
+  why?: string;
   title?: string;
   remove: () => Promise<Answer<unknown>>;
   /** After the answer; `gone` says whether it was deleted. */
   after: (gone: boolean) => Promise<void>;
 }
 
-export function DeleteButton({ name, holdMs, disabled, title, remove, after }: Props) {
+export function DeleteButton({ name, holdMs, why, title, remove, after }: Props) {
   const refusal = useSignal<Refusal | undefined>(undefined);
   const held = async (): Promise<void> => {
     const answer = await remove();
@@ -28,7 +29,7 @@ export function DeleteButton({ name, holdMs, disabled, title, remove, after }: P
         name={name}
         class="danger"
         holdMs={holdMs}
-        disabled={disabled}
+        {...(why ? { why } : {})}
         title={title}
         onHeld={() => void held()}
       >

@@ -9,7 +9,8 @@ interface HoldProps {
   /** What it does, for a screen reader, after the words that are seen; the holding is added. */
   name: string;
   holdMs?: number;
-  disabled?: boolean;
+  /** Why it can't be held now, "" when it can: it can be focused, and does nothing. */
+  why?: string;
   class?: string;
   title?: string;
   onHeld: () => void;
@@ -19,7 +20,7 @@ interface HoldProps {
 export function HoldButton({
   name,
   holdMs = 1000,
-  disabled,
+  why = "",
   class: look,
   title,
   onHeld,
@@ -36,7 +37,7 @@ export function HoldButton({
     holding.value = false;
   };
   const press = (): void => {
-    if (disabled || timer.current !== undefined) return;
+    if (why || timer.current !== undefined) return;
     holding.value = true;
     timer.current = setTimeout(() => {
       release();
@@ -45,8 +46,8 @@ export function HoldButton({
   };
   useEffect(() => release, []);
   useEffect(() => {
-    if (disabled) release();
-  }, [disabled]);
+    if (why) release();
+  }, [why !== ""]);
 
   const isHoldKey = (event: KeyboardEvent): boolean => event.key === " " || event.key === "Enter";
   return (
@@ -54,8 +55,8 @@ export function HoldButton({
       type="button"
       class={`hold ${look ?? ""}`}
       data-holding={holding.value ? "yes" : undefined}
-      disabled={disabled}
-      title={title}
+      aria-disabled={why !== ""}
+      title={why || title}
       style={{ "--hold": `${holdMs}ms` }}
       onPointerDown={(event) => event.button === 0 && press()}
       onPointerUp={release}

@@ -1,8 +1,10 @@
 // The draft's state and its three actions: undo, revert, apply. What the vehicle answered stays
 // in sight until the next edit.
 
+import { barred, tunes } from "../access/control";
 import { link } from "../stream/link";
 import { live } from "../stream/store";
+import { ActButton } from "../ui/act_button";
 import { CheckIcon, RedoIcon, UndoIcon, WarningIcon } from "../ui/icons";
 import { ProblemTable, RefusalNotice } from "../ui/refusal";
 import { draft } from "./draft";
@@ -10,6 +12,17 @@ import { isOutside } from "./ranges";
 import "./apply_bar.css";
 
 const SLOW_MS = 3000;
+const NOTHING = "The draft has no change";
+const SENT = "The vehicle has not answered yet";
+
+/** Why the draft can't be applied now; "" when it can. */
+function whyNot(changes: number, busy: boolean): string {
+  if (busy) return SENT;
+  if (!changes) return NOTHING;
+  if (draft.invalid.value.size > 0) return "A field holds no number";
+  if (link.value.look !== "live") return "No live vehicle to apply it to";
+  return tunes.value ? barred.value : "Only an engineer may tune the vehicle";
+}
 
 export function ApplyBar() {
   const apply = draft.apply.value;
@@ -19,7 +32,6 @@ export function ApplyBar() {
     return typeof value === "number" && isOutside(path, value);
   }).length;
   const busy = apply.state === "sending" || apply.state === "awaiting";
-  const ready = changed.length > 0 && draft.invalid.value.size === 0 && !busy && link.value.look === "live";
   return (
     <section class="panel apply" aria-label="Draft">
       <div class="apply-line">
@@ -31,26 +43,24 @@ export function ApplyBar() {
         </span>
         <Outcome />
         <span class="grow" />
-        <button
-          type="button"
+        <ActButton
           class="quiet"
-          aria-label="Undo"
+          label="Undo"
           title="Undo (Ctrl+Z)"
-          disabled={!draft.canUndo.value}
-          onClick={() => draft.undo()}
+          why={draft.canUndo.value ? "" : "Nothing to undo"}
+          onAct={() => draft.undo()}
         >
           <UndoIcon />
-        </button>
-        <button
-          type="button"
+        </ActButton>
+        <ActButton
           class="quiet"
-          aria-label="Redo"
+          label="Redo"
           title="Redo (Ctrl+Shift+Z)"
-          disabled={!draft.canRedo.value}
-          onClick={() => draft.redo()}
+          why={draft.canRedo.value ? "" : "Nothing to redo"}
+          onAct={() => draft.redo()}
         >
           <RedoIcon />
-        </button>
+        </ActButton>
         <input
           class="apply-reason"
           aria-label="Reason of the change"
@@ -61,17 +71,16 @@ export function ApplyBar() {
             draft.reason.value = event.currentTarget.value;
           }}
         />
-        <button
-          type="button"
+        <ActButton
           class="action"
-          disabled={changed.length === 0 || busy}
-          onClick={() => draft.revertAll()}
+          why={changed.length === 0 ? NOTHING : busy ? SENT : ""}
+          onAct={() => draft.revertAll()}
         >
           Revert all
-        </button>
-        <button type="button" class="action primary" disabled={!ready} onClick={() => void draft.send()}>
+        </ActButton>
+        <ActButton class="action primary" why={whyNot(changed.length, busy)} onAct={() => void draft.send()}>
           {busy ? "Applying" : "Apply to vehicle"}
-        </button>
+        </ActButton>
       </div>
       {draft.outdated.value && !busy && <Outdated />}
       {apply.state === "refused" && (

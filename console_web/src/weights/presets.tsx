@@ -4,6 +4,7 @@ import { ask } from "../api/client";
 import type { Refusal } from "../api/http";
 import { presets } from "../api/resources";
 import { live } from "../stream/store";
+import { ActButton } from "../ui/act_button";
 import { HoldButton } from "../ui/hold_button";
 import { TrashIcon } from "../ui/icons";
 import { Empty } from "../ui/panel";
@@ -109,9 +110,13 @@ export function Presets() {
             name.value = event.currentTarget.value;
           }}
         />
-        <button type="submit" class="action small" disabled={!valid}>
+        <ActButton
+          type="submit"
+          class="action small"
+          why={valid ? "" : name.value ? "Letters, digits, - and _ only" : "Give the draft a name first"}
+        >
           Save draft
-        </button>
+        </ActButton>
       </form>
       {refused.value && (
         <RefusalNotice

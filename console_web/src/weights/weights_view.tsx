@@ -3,6 +3,7 @@ import { useEffect } from "preact/hooks";
 import { AheadPanel } from "../ahead/ahead_panel";
 import { Revisions } from "../ahead/revisions";
 import { presets } from "../api/resources";
+import { href } from "../shell/address";
 import { Main } from "../ui/main";
 import { AgeChip, Empty, Panel } from "../ui/panel";
 import { ApplyBar } from "./apply_bar";
@@ -20,6 +21,23 @@ function onKey(event: KeyboardEvent): void {
   event.preventDefault();
   if (redo) draft.redo();
   else draft.undo();
+}
+
+/** What cannot be changed in flight, and where it can be tried. */
+function NotHere() {
+  return (
+    <Panel title="Not tunable in flight">
+      <p class="hint">
+        Gains of the controller, limits of its demand, guidance, filters and the choice of allocator are fixed
+        when a mission starts. The stability that was worked out for this vehicle holds for these gains, and a
+        new one would meet integrals that the old one has filled.
+      </p>
+      <p class="hint">
+        Try them before a flight with <a href={href("plan")}>What if in Plan</a>, which flies a mission with
+        any parameter, or after one with “Fly again with other numbers” at its <a href={href("runs")}>run</a>.
+      </p>
+    </Panel>
+  );
 }
 
 export function WeightsView() {
@@ -50,6 +68,7 @@ export function WeightsView() {
         </Panel>
         <div class="column">
           <AheadPanel />
+          <NotHere />
           <Panel title="Supervisor">
             <SupervisorFields />
           </Panel>

@@ -104,6 +104,7 @@ ROWS: tuple[Row, ...] = (
         GET /api/charts/{name}/shown
         GET /api/bin
         POST /api/scene/camera
+        POST /api/scene/ruler
         GET /scene/
         GET /scene/{tab}/
         GET /openapi.json

@@ -18,6 +18,7 @@ log = logging.getLogger(__name__)
 WAKES_ON = "tlm/navigation"
 SHORTEST_TICK_S = 0.04  # a faster vehicle is drawn at 25 pictures a second
 LONGEST_TICK_S = 1.0  # pictures go out at least this often, so that silence is a fault
+LABELS_EACH = 5  # pictures: labels make way for each other a few times a second
 UNWATCHED_SHARE = 4  # with nobody watching, every fourth position still goes into the track
 
 
@@ -106,6 +107,8 @@ class Live(threading.Thread):
         cpu = time.thread_time()
         picture.update()
         self._cameras.carry(picture.places)
+        if self.pictures % LABELS_EACH == 0:
+            self._cameras.make_way(picture.labels)
         self.cpu_s += time.thread_time() - cpu
         self.pictures += 1
 

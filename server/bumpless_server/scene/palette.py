@@ -35,6 +35,7 @@ MOMENT_SET: Rgb = (129, 140, 248)
 TARGET: Rgb = (250, 204, 21)
 PATH: Rgb = (148, 163, 184)
 GHOST: Rgb = (245, 158, 11)  # of a flight ahead with a draft
+RULER: Rgb = (244, 114, 182)
 CURRENT: Rgb = (20, 184, 166)
 GRID_CELL: Rgb = (76, 94, 116)
 GRID_SECTION: Rgb = (92, 114, 140)

@@ -13,11 +13,14 @@ from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.enums import MOVING
 from bumpless_server.scene import palette, pose
 from bumpless_server.scene.attainable import AttainableSets
-from bumpless_server.scene.cameras import Places, turned
+from bumpless_server.scene.cameras import turned
 from bumpless_server.scene.current import CurrentView
 from bumpless_server.scene.envelopes import SetView
+from bumpless_server.scene.error_line import ErrorView, reference_from
 from bumpless_server.scene.ghost_view import GhostView
 from bumpless_server.scene.ghosts import Ghosts
+from bumpless_server.scene.labels import Labelled
+from bumpless_server.scene.places import Places
 from bumpless_server.scene.plan import PlanView
 from bumpless_server.scene.status import body_text, flown_mode, trail_mode
 from bumpless_server.scene.target import TargetView
@@ -46,7 +49,7 @@ class Picture:
         ghosts: Ghosts | None = None,
     ) -> None:
         self._state, self._server, self._sets, self._parse, self._light = state, server, sets, parse, light
-        scene = server.scene
+        self.labels = scene = Labelled(server.scene)
         scene.set_up_direction("-z")
         scene.configure_environment_map(None)
         scene.configure_default_lights(enabled=False)
@@ -63,6 +66,7 @@ class Picture:
         self.force = SetView(scene, "force", "attainable force", "XYZ", "N", palette.FORCE_SET)
         self.moment = SetView(scene, "moment", "attainable moment", "KMN", "N·m", palette.MOMENT_SET)
         self.label = scene.add_label("/view/status", "", position=(0.0, 0.0, -0.32), anchor="bottom-center")
+        self.error = ErrorView(scene)
         self.ghosts = GhostView(scene, ghosts or Ghosts())
         self.vehicle: VehicleView | None = None
         self._described = ""
@@ -152,6 +156,7 @@ class Picture:
         navigation = self._last("navigation", pb.Navigation)
         self.ghosts.update(mission.run_id, navigation.stamp.mission_time_s)
         self.current.show(navigation, live)
+        self.error.show(self._reference(supervisor, navigation.depth_m) if live else None)
         if self.vehicle is not None:
             if (actuators := self._fresh("actuators", pb.Actuators)) is not None:
                 self.vehicle.move_actuators(actuators)
@@ -159,6 +164,12 @@ class Picture:
         text = body_text(self._state.link, self._state.telemetry_age_s, mission.phase, supervisor, navigation)
         if text != self.label.text:
             self.label.text = text
+
+    def _reference(self, supervisor: pb.Supervisor, depth_m: float) -> np.ndarray | None:
+        guidance = self._state.latest("guidance")
+        if guidance is None:
+            return None
+        return reference_from(guidance, supervisor, depth_m, self.places.path, self.places.observation)
 
     def _wrench(self, live: bool) -> None:
         speed = self._last("navigation", pb.Navigation).velocity_through_water_body_mps.x

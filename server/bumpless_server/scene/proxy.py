@@ -17,6 +17,7 @@ from pydantic import BaseModel, StringConstraints
 from websockets.asyncio.client import connect
 from websockets.exceptions import ConnectionClosed, WebSocketException
 
+from bumpless_server.scene.cameras import Cameras
 from bumpless_server.scene.guard import SECRET_HEADER, SESSION_HEADER
 from bumpless_server.scene.page import POLICY, page_html
 
@@ -40,12 +41,25 @@ class CameraAnswer(BaseModel):
     viewers: int
 
 
+class RulerRequest(BaseModel):
+    """Whether the ruler lies out in the caller's own picture."""
+
+    on: bool
+    tab: Tab = ""
+
+
+class RulerAnswer(BaseModel):
+    """In how many of the caller's tabs it was laid down or taken away."""
+
+    on: bool
+    viewers: int
+
+
 class Proxy:
     """Routes of the scene. `session_of(request)` gives the caller's valid session or None."""
 
-    def __init__(self, session_of: SessionOf, set_view: Callable[[str, str], int]) -> None:
-        self.session_of = session_of
-        self.set_view = set_view
+    def __init__(self, session_of: SessionOf, cameras: Cameras) -> None:
+        self.session_of, self.cameras = session_of, cameras
         self.inner: tuple[str, str] | None = None  # viser's address and secret while it runs
         self.router = APIRouter()
         self.router.add_api_route("/scene/", self.page, methods=["GET"], include_in_schema=False)
@@ -53,6 +67,7 @@ class Proxy:
         self.router.add_api_websocket_route("/scene", self.socket)
         self.router.add_api_websocket_route("/scene/{tab}", self.socket)
         self.router.add_api_route("/api/scene/camera", self.camera, methods=["POST"])
+        self.router.add_api_route("/api/scene/ruler", self.ruler, methods=["POST"])
 
     async def page(self, request: Request) -> HTMLResponse:
         """viser's client, made ours. 401 without a session."""
@@ -67,11 +82,22 @@ class Proxy:
 
     async def camera(self, request: Request, body: CameraRequest) -> CameraAnswer:
         """Move the caller's own cameras to a preset; says how many browsers moved."""
+        session = self._own(request)
+        moved = await asyncio.to_thread(self.cameras.set_view, viewer(session, body.tab), body.view)
+        return CameraAnswer(view=body.view, viewers=moved)
+
+    async def ruler(self, request: Request, body: RulerRequest) -> RulerAnswer:
+        """Lay the ruler down in the caller's own picture, or take it away."""
+        session = self._own(request)
+        laid = await asyncio.to_thread(self.cameras.set_ruler, viewer(session, body.tab), body.on)
+        return RulerAnswer(on=body.on, viewers=laid)
+
+    def _own(self, request: Request) -> str:
+        """The caller's session, on a page of ours."""
         session = self.session_of(request)
         if session is None or not same_origin(request):
-            raise HTTPException(403, "only the console's own page may move its camera")
-        moved = await asyncio.to_thread(self.set_view, viewer(session, body.tab), body.view)
-        return CameraAnswer(view=body.view, viewers=moved)
+            raise HTTPException(403, "only the console's own page may change its picture")
+        return session
 
     async def socket(self, outer: WebSocket) -> None:
         """Carry frames both ways between the browser and viser."""

@@ -42,14 +42,14 @@ class Scene:
         self._ghosts = ghosts
         self._state, self._light, self._make_sets = Finite(state), light, make_sets
         self.cameras = Cameras()
-        self.proxy = Proxy(session_of, self.cameras.set_view)
+        self.proxy = Proxy(session_of, self.cameras)
         self.viser: Any = None
         self.live: Any = None
         self._sets: AttainableSets | None = None
 
     @property
     def router(self) -> APIRouter:
-        """Routes /scene/, /scene and /api/scene/camera."""
+        """Routes /scene/, /scene and /api/scene."""
         return self.proxy.router
 
     async def start(self) -> None:
@@ -62,10 +62,11 @@ class Scene:
         await asyncio.to_thread(self._stop)
 
     def _start(self) -> None:
-        from bumpless_server.scene.cameras import FOV_RAD, Places, placed
+        from bumpless_server.scene.cameras import FOV_RAD, placed
         from bumpless_server.scene.guard import SESSION, start_viser
         from bumpless_server.scene.live import Live
         from bumpless_server.scene.picture import Picture
+        from bumpless_server.scene.places import Places
 
         server, secret = start_viser()
         server.gui.configure_theme(dark_mode=False, show_logo=False, show_share_button=False)

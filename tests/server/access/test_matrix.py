@@ -150,7 +150,7 @@ async def test_pages_are_for_whom_has_logged_in_and_the_login_is_for_everybody(d
 
 def routes() -> set[tuple[str, str]]:
     """(method, path) of everything that the server routes."""
-    routers = (*ROUTERS, Proxy(lambda _request: None, Cameras().set_view).router)
+    routers = (*ROUTERS, Proxy(lambda _request: None, Cameras()).router)
     found = set()
     for route in (route for router in routers for route in router.routes):
         if isinstance(route, APIRoute):

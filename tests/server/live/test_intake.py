@@ -50,9 +50,12 @@ def test_a_name_that_breaks_its_rule_names_nothing(topic: str, message: Message)
 
 
 def test_what_the_contract_calls_nan_is_not_odd() -> None:
-    """Protects the counters from crying wolf: an unseen target has no range."""
+    """Protects the counters from crying wolf: an unseen target has no range, and
+    nobody can tell when a way out of a mode is taken that nothing leads to."""
     unseen = pb.Target(stamp=STAMP, measured_range_m=float("nan"), bearing_deg=float("nan"))
     assert taken(unseen, "tlm/target") == (True, {})
+    nobody_knows = pb.Exits(stamp=STAMP, exits=[pb.ModeExit(name="brake", expected_s=float("nan"))])
+    assert taken(nobody_knows, "tlm/exits") == (True, {})
     odd = pb.Target(stamp=STAMP, position_ned_m=pb.Vector3(x=float("inf")))
     assert taken(odd, "tlm/target") == (True, {"non_finite": 1})
 

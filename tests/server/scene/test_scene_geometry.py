@@ -6,9 +6,10 @@ import pytest
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.physics.frames import body_to_ned
 from bumpless_server.scene import pose
-from bumpless_server.scene.cameras import Places, placed
+from bumpless_server.scene.cameras import placed
 from bumpless_server.scene.envelopes import AXIS_M, OVERSHOOT, clipped, full_scale
 from bumpless_server.scene.hull_mesh import FACES, VERTICES, HullMesh, hull_mesh
+from bumpless_server.scene.places import Places
 from bumpless_server.scene.plan import LONGEST, path_points
 from bumpless_server.scene.water import plane_depth
 

@@ -1,4 +1,5 @@
 // What stands against the plan, each with its place and the change that mends it.
+import { ActButton } from "../../ui/act_button";
 import { AlarmIcon, WarningIcon } from "../../ui/icons";
 import { broken, selected } from "../model/plan";
 import { jump } from "../text/jump";
@@ -82,15 +83,14 @@ function One({ finding, onPlace }: { finding: Finding; onPlace: () => void }) {
         </p>
         <p class="finding-foot">
           {finding.mends.map((one, i) => (
-            <button
+            <ActButton
               key={one.label}
-              type="button"
               class={`action small ${i === 0 ? "primary" : ""}`}
-              disabled={!plan.current.value}
-              onClick={() => mend(one)}
+              why={plan.current.value ? "" : "The text is no plan that could be mended"}
+              onAct={() => mend(one)}
             >
               {one.label}
-            </button>
+            </ActButton>
           ))}
           <Place path={finding.path} line={finding.line} onPlace={onPlace} />
         </p>

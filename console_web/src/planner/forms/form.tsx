@@ -1,5 +1,6 @@
 // A form for any part of a mission, made from its declaration: label, unit, range and help for every field.
 import type { ComponentChildren } from "preact";
+import { ActButton } from "../../ui/act_button";
 import { CrossIcon } from "../../ui/icons";
 import { put } from "../model/document";
 import { valueAt } from "../model/mission";
@@ -284,14 +285,13 @@ function List({ field, path }: { field: FieldEntry; path: Path }) {
             <FormPart path={[...path, i]} />
           </fieldset>
         ))}
-        <button
-          type="button"
+        <ActButton
           class="action small"
-          disabled={entries.length >= (field.most ?? 1e9)}
-          onClick={add}
+          why={entries.length >= (field.most ?? 1e9) ? `At most ${field.most}` : ""}
+          onAct={add}
         >
           Add one
-        </button>
+        </ActButton>
       </div>
     </details>
   );

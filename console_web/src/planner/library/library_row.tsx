@@ -1,10 +1,12 @@
 // One mission of the list: open it, copy it, tag it, put it away.
+
 import { useSignal } from "@preact/signals";
 import { ask } from "../../api/client";
 import { missions } from "../../api/resources";
 import { clock } from "../../lib/format";
 import { go } from "../../shell/address";
 import { foreign, present } from "../../stream/present";
+import { ActButton } from "../../ui/act_button";
 import { fromTemplate, name, trouble } from "../model/library";
 import type { Entry } from "./entries";
 
@@ -104,9 +106,9 @@ function Marks({ entry, onClose }: { entry: Entry; onClose: () => void }) {
           onKeyDown={(event) => event.key === "Enter" && keep()}
         />
       </label>
-      <button type="button" class="action small" disabled={!changed} onClick={keep}>
+      <ActButton class="action small" why={changed ? "" : "The tags are as they are kept"} onAct={keep}>
         Keep tags
-      </button>
+      </ActButton>
       {!entry.builtin && (
         <button
           type="button"
