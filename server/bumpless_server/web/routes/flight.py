@@ -26,7 +26,9 @@ class Stretches(TypedDict):
 def stretches(found: FlightReplay) -> Stretches:
     """As the API tells them."""
     return Stretches(
-        pieces=[FlightPiece(id=p.id, first_s=p.first_s, last_s=p.last_s, pace_s=p.pace_s) for p in found.pieces],
+        pieces=[
+            FlightPiece(id=p.id, first_s=p.first_s, last_s=p.last_s, pace_s=p.pace_s) for p in found.pieces
+        ],
         gaps=[Stretch(first_s=first, last_s=last) for first, last in found.gaps],
     )
 
@@ -52,7 +54,8 @@ def flight(console: Served, run: str) -> FlightAnswer:
     try:
         told = stretches(console.replays.of(pieces))
     except NoReplay:  # no cycle in it: no figures either
-        told = Stretches(pieces=[FlightPiece(id=p.stem, first_s=None, last_s=None, pace_s=None) for p in pieces], gaps=[])
+        unknown = [FlightPiece(id=p.stem, first_s=None, last_s=None, pace_s=None) for p in pieces]
+        told = Stretches(pieces=unknown, gaps=[])
     figures = console.flights.of(pieces_of(console, run, flown=True))
     answer = FlightAnswer(
         id=pieces[0].stem, **told, outcome=figures.outcome, outcome_reason=figures.reason, metrics=None
