@@ -20,10 +20,15 @@ help:  ## what each command does
 	@sed -n 's/^\([a-z-]*\):.*##  *\(.*\)/  make \1|\2/p' Makefile | column -t -s '|' 2>/dev/null \
 		|| sed -n 's/^\([a-z-]*\):.*##  *\(.*\)/  make \1: \2/p' Makefile
 
-run: $(DONE)/compiled console  ## install what is missing, start server and vehicle, print the address
+run: ready  ## install what is missing, start server and vehicle, print the address
 	@exec $(BIN)/bumpless serve $(ARGS)
 
-test: $(DONE)/compiled $(DONE)/dev console chromium test-console  ## the whole suite, browser included (ARGS="-k docking")
+# the console is built while the control code compiles: on a fresh machine each takes half a minute
+ready: $(DONE)/run
+	@$(MAKE) --no-print-directory $(if $(filter output-sync,$(.FEATURES)),--output-sync=line) -j$(CORES) \
+		$(DONE)/compiled console
+
+test: ready $(DONE)/dev chromium test-console  ## the whole suite, browser included (ARGS="-k docking")
 	@$(BIN)/pytest $(ARGS)
 
 CHECKS := check-types check-console check-style check-imports check-results check-figures check-containers check-gen check-docs check-declared check-leaks
@@ -190,5 +195,5 @@ $(DONE)/compiled: $(DONE)/project $(TWIN)
 	@$(PY) -m bumpless.sim.warm_up missions/docking.yaml
 	@touch $@
 
-.PHONY: help audit fuzz pictures run test test-fast test-console check check-style check-imports check-types check-test-types check-console check-containers check-gen \
+.PHONY: help audit fuzz pictures run ready test test-fast test-console check check-style check-imports check-types check-test-types check-console check-containers check-gen \
 	check-leaks check-results check-figures check-docs check-declared gen gen-code docs release results bench bench-consoles bench-live format console chromium lock clean

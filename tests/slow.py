@@ -34,6 +34,7 @@ SLOW = (
     "tests/server/foresight/test_foresight.py",
     "tests/server/keys",
     "tests/server/live/test_gaps.py",
+    "tests/server/live/test_holder_lost.py",
     "tests/server/live/test_real_node.py",
     "tests/server/live/test_strangers.py",
     "tests/server/runs/test_recording.py",

@@ -189,7 +189,7 @@ class Console:
             stack.callback(self.alarms.stop)
             stack.callback(self.bus.close)
             self.bus.open()
-            heart = Heart(self.bus.beat)
+            heart = Heart(self._beat)
             heart.start()
             stack.callback(heart.stop)
             indexing = threading.Thread(target=self._index, name="catalogue", daemon=True)
@@ -309,6 +309,9 @@ class Console:
         """Twice a second, on the dispatcher's thread."""
         self.lease.tick()
         return self.status()
+
+    def _beat(self) -> None:
+        self.bus.beat(self.lease.present())
 
     def _control(self, state: pb.ControlHolder) -> None:
         payload = state.SerializeToString()

@@ -1,14 +1,17 @@
 """How punctual is the control loop beside a loaded server? Lateness, missed cycles, memory.
 
-    python -m tests.bench.live_node --minutes 10 --streams 5
+    python -m tests.bench.live_node --minutes 10 --streams 5 [--dragging]
 
 Starts `bumpless serve` with its vehicle node and the full scene in a folder of its own, reads the stream
 as N browsers would, keeps missions flying, and prints what the node says about itself in topic "health".
+With --dragging a planner edits all the time: a new request for a nominal flight and a fan every 50 ms.
 """
 
 import argparse
 import asyncio
 import contextlib
+import itertools
+import json
 import os
 import re
 import subprocess
@@ -24,6 +27,7 @@ import psutil
 import websockets
 from websockets.typing import Origin, Subprotocol
 
+from bumpless.config.mission import missions_folder
 from bumpless.contract import bumpless_pb2 as pb
 
 ROOT = Path(__file__).parents[2]
@@ -104,6 +108,27 @@ async def viewer(address: str, cookie: str) -> None:
             pass
 
 
+async def planner(address: str, cookie: str, mission: str) -> None:
+    """Somebody who drags a handle and never lets go."""
+    text = (missions_folder() / f"{mission}.yaml").read_text(encoding="utf-8")
+    url = address.replace("http", "ws", 1) + "/ws/foresight"
+    headers, origin = {"Cookie": cookie}, Origin(address)
+    async with websockets.connect(url, additional_headers=headers, origin=origin) as socket:
+
+        async def edit() -> None:
+            for number in itertools.count(1):
+                edited = text.replace("  heading_deg: 0", f"  heading_deg: {number % 100 / 100}", 1)
+                await socket.send(json.dumps({"id": number, "text": edited, "seed": 1, "flights": 200}))
+                await asyncio.sleep(0.05)
+
+        editing = asyncio.create_task(edit())
+        try:
+            async for _ in socket:
+                pass
+        finally:
+            editing.cancel()
+
+
 async def keep_flying(http: httpx.AsyncClient, seen: Seen, mission: str) -> None:
     """Start the mission again whenever it is over."""
     while True:
@@ -121,7 +146,7 @@ def note_memory(process_id: int, seen: Seen) -> None:
         seen.peaks["node"] = int(re.search(r"VmHWM:\s+(\d+)", status)[1])  # type: ignore[index]
 
 
-async def observe(minutes: float, streams: int, scene: str, mission: str) -> Seen:
+async def observe(minutes: float, streams: int, scene: str, mission: str, dragging: bool = False) -> Seen:
     """Run it and return what was seen."""
     seen = Seen()
     with tempfile.TemporaryDirectory() as data:
@@ -137,6 +162,8 @@ async def observe(minutes: float, streams: int, scene: str, mission: str) -> See
             if seen.health is None:
                 raise SystemExit("no vehicle came to life")
             tasks.append(asyncio.create_task(keep_flying(http, seen, mission)))
+            if dragging:
+                tasks.append(asyncio.create_task(planner(address, cookie, mission)))
             await asyncio.wait(tasks, timeout=minutes * 60.0, return_when=asyncio.FIRST_EXCEPTION)
             note_memory(process.pid, seen)
             for task in tasks:
@@ -173,8 +200,11 @@ def main() -> int:
     parser.add_argument("--streams", type=int, default=5)
     parser.add_argument("--scene", choices=("full", "light", "off"), default="full")
     parser.add_argument("--mission", default="docking")
+    parser.add_argument("--dragging", action="store_true", help="beside a planner who edits all the time")
     options = parser.parse_args()
-    seen = asyncio.run(observe(options.minutes, options.streams, options.scene, options.mission))
+    seen = asyncio.run(
+        observe(options.minutes, options.streams, options.scene, options.mission, options.dragging)
+    )
     return report(seen, options.minutes, options.streams, options.scene)
 
 

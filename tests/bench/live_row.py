@@ -9,6 +9,9 @@ from tests.bench.figure import Figure, figure
 from tests.bench.live_node import observe
 from tests.bench.stream import ROOT
 
+TURNS = 3
+NOISE_MS = 0.05  # a thousandth of a period
+
 
 def figures(minutes: float) -> Iterator[Figure]:
     """Lateness and missed cycles with five streams and one view of the full scene; peak memory.
@@ -28,3 +31,18 @@ def figures(minutes: float) -> Iterator[Figure]:
     yield figure("live_cycle_us", "live control cycle, p50 with telemetry", [health.cycle_time_p50_us], "µs")
     for name in ("node", "server"):
         yield figure(f"{name}_mb", f"peak memory, {name}", [seen.peaks[name] / 1024], "MB")
+    yield from _beside_a_planner(minutes)
+
+
+def _beside_a_planner(minutes: float) -> Iterator[Figure]:
+    """Lateness without and with somebody who drags a plan all the time, in turns; each with a fresh node."""
+    p99: dict[bool, list[float]] = {False: [], True: []}
+    for dragging in (False, True) * TURNS:
+        health = asyncio.run(observe(minutes, 1, "off", "docking", dragging)).health
+        assert health is not None
+        p99[dragging].append(health.lateness_p99_ms)
+    yield figure("alone_p99_ms", f"lateness p99, {TURNS} times {minutes:g} min, no planner", p99[False], "ms")
+    yield figure("dragging_p99_ms", "the same in turns, a plan being dragged all the time", p99[True], "ms")
+    more = [one - other for one, other in zip(p99[True], p99[False], strict=True)]
+    title = "lateness p99, more with a plan being dragged than without"
+    yield figure("dragging_more_ms", title, more, "ms", at_most=NOISE_MS)

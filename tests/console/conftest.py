@@ -1,14 +1,19 @@
 """The console in a real browser against a server that says what the test tells it."""
 
+import os
 from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
 from playwright.sync_api import Page, expect
 
+from bumpless_server.settings import Settings
 from tests.console import flight
 from tests.console.contract_server import ContractServer
 from tests.console.replies import default_replies
+from tests.server.serving import Running, free_port, serving
 
+ROOT = Path(__file__).resolve().parents[2]
 PATIENCE_MS = 30_000  # a busy machine is no failure
 expect.set_options(timeout=PATIENCE_MS)
 
@@ -21,6 +26,15 @@ def server() -> Iterator[ContractServer]:
     running.keep_saying(flight.hello())
     yield running
     running.stop()
+
+
+@pytest.fixture
+def running(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Running]:
+    """Server, node and foresight as `bumpless serve` starts them, without the scene."""
+    monkeypatch.setenv("PYTHONPATH", os.pathsep.join(filter(None, [str(ROOT), os.environ.get("PYTHONPATH")])))
+    bus = (f"tcp/127.0.0.1:{free_port()}",)
+    with serving(Settings(data_dir=tmp_path / "data", zenoh_listen=bus, scene="off")) as server:
+        yield server
 
 
 @pytest.fixture

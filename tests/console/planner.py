@@ -108,6 +108,12 @@ def hopeless(heading: float) -> dict[str, Any]:
     }
 
 
+def doubtful(code: str) -> dict[str, Any]:
+    """A finding that lowers the chance, of another leg and depth."""
+    mend = {"label": "Longer", "path": "duration_s", "value": 400.0}
+    return {**hopeless(90), "severity": "soft", "code": code, "reason": f"For {code}.", "mends": [mend]}
+
+
 def stored(name: str, text: str, **more: Any) -> dict[str, Any]:
     """A mission file as the server tells it."""
     digest = hashlib.sha256(text.encode()).hexdigest()

@@ -1,28 +1,15 @@
 """The console on the real server and the real vehicle node: a mission flown from the browser, end to end."""
 
-import os
-from collections.abc import Iterator
 from pathlib import Path
 
-import pytest
 from playwright.sync_api import FilePayload, Page, expect
 
-from bumpless_server.settings import Settings
 from tests.console.conftest import show
-from tests.server.serving import Running, free_port, serving
+from tests.server.serving import Running
 
 ROOT = Path(__file__).parents[2]
 COMPILES_MS = 600_000  # patience with a machine that has never compiled the control cycle
 MAGIC = b"\x89MCAP0\r\n"
-
-
-@pytest.fixture
-def running(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Running]:
-    """Server and node as `bumpless serve` starts them, without the scene."""
-    monkeypatch.setenv("PYTHONPATH", os.pathsep.join(filter(None, [str(ROOT), os.environ.get("PYTHONPATH")])))
-    bus = (f"tcp/127.0.0.1:{free_port()}",)
-    with serving(Settings(data_dir=tmp_path / "data", zenoh_listen=bus, scene="off")) as server:
-        yield server
 
 
 def test_a_mission_is_uploaded_flown_tuned_aborted_and_kept(page: Page, running: Running) -> None:

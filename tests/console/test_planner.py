@@ -199,6 +199,25 @@ def test_a_hopeless_plan_says_why_and_is_mended_by_one_button(planned: Page, ser
     assert "[26, -1.5, 2.3]" in yaml(planned)
 
 
+def test_a_low_chance_names_what_would_help(planned: Page, server: ContractServer) -> None:
+    """Protects: a plan that can work and seldom docks is no dead end; what costs most is offered first."""
+    early, differs = planner.doubtful("seen_early"), planner.doubtful("current_may_differ")
+    differs["mends"] = [
+        {"label": "Approach into the current", "path": "target.approach", "value": "into_current"}
+    ]
+    server.foresee = lambda asked: (
+        planner.forecast(200)
+        if "into_current" in asked["text"]
+        else planner.forecast(146, findings=[early, differs])
+    )
+    planner.drag(planned, (10, 0), (10, 0.5))
+    next_step = planned.get_by_role("status", name="Next step")
+    expect(next_step).to_contain_text("Docks in 146 of 200. What would help:")
+    next_step.get_by_role("button", name="Approach into the current").click()
+    expect(next_step).to_contain_text("This will dock.")
+    assert "approach: into_current" in yaml(planned)
+
+
 def test_what_cannot_work_starts_by_a_second_gesture_that_says_what_was_found(
     planned: Page, server: ContractServer
 ) -> None:

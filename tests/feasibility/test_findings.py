@@ -4,11 +4,14 @@ import numpy as np
 import pytest
 
 import bumpless
+from bumpless.campaign.distributions import Normal
+from bumpless.campaign.sketch import foresight_campaign
 from bumpless.config.mission import parse_mission
 from bumpless.config.parameters import default_parameters
 from bumpless.config.vehicle import load_vehicle, vehicle_names
 from bumpless.contract.enums import CURRENT, HOLD
 from bumpless.feasibility import ACCEPT, REFUSE, WARN, station_keeping
+from bumpless.feasibility.holding import OPEN_MPS
 from bumpless.feasibility.path import approach_time
 from bumpless.feasibility.reach import top_speed
 from bumpless.physics.model import build_model
@@ -29,6 +32,10 @@ target: {position_ned_m: [26, 0, 2.3], heading_deg: 0, standoff_m: 1.5}
 """
 
 
+IN_STILL_WATER = CASE + "end: {hover_hold_s: 10}\n"
+SOUND = IN_STILL_WATER.replace("standoff_m: 1.5", "standoff_m: 1.5, approach: into_current")
+
+
 def found(text: str) -> list[tuple[str, str]]:
     """(severity, code) of a mission's findings."""
     return [(one.severity, one.code) for one in bumpless.check(parse_mission(text, "case.yaml"))]
@@ -41,7 +48,7 @@ def with_current(east: float, north: float = 0.0, text: str = CASE) -> str:
 
 def test_a_sound_mission_has_no_findings() -> None:
     """Protects: no false alarms."""
-    assert found(CASE) == []
+    assert found(SOUND) == []
 
 
 def ten_minutes(north: float, east: float, gust: float = 0.0, approach: str = "") -> str:
@@ -70,11 +77,33 @@ def ten_minutes(north: float, east: float, gust: float = 0.0, approach: str = ""
         (ten_minutes(0.0, 0.0), ("hard", "long_hover")),
         (ten_minutes(-0.1, 0.01), ("soft", "long_hover")),
         (CASE + "environment: {beam_attenuation_per_m: 0.96}\n", ("soft", "seen_too_late")),
+        (CASE, ("soft", "hover_to_the_end")),
+        (IN_STILL_WATER, ("soft", "current_may_differ")),
+        (with_current(0.0, -0.04), ("soft", "current_may_differ")),
     ],
 )  # fmt: skip
 def test_each_kind_of_what_cannot_work_is_found(text, wanted) -> None:
     """Protects: every case of issue 9: refused or warned of before it starts, never "completed"."""
     assert wanted in found(text)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        with_current(0.0, -0.1),
+        IN_STILL_WATER.replace("vehicle: ts100", "vehicle: bluerov2_heavy").replace(": 0.7}", ": 0.4}"),
+    ],
+    ids=["flow from ahead", "sideways thrust"],
+)
+def test_a_fixed_heading_that_bears_a_little_more_current_is_sound(text) -> None:
+    """Protects: who lays the dock against the current, or can push sideways, is warned of nothing."""
+    assert found(text) == []
+
+
+def test_what_a_plan_cannot_know_is_what_foresight_draws() -> None:
+    """Protects: the finding explains the chance that stands beside it, drawn by the same numbers."""
+    drawn = foresight_campaign().draw["current_across_mps"]
+    assert isinstance(drawn, Normal) and pytest.approx(2.0 * drawn.normal[1]) == OPEN_MPS
 
 
 def test_a_finding_says_why_and_what_would_work() -> None:

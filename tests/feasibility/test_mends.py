@@ -8,7 +8,7 @@ import yaml
 
 import bumpless
 from bumpless.config.mission import parse_mission
-from tests.feasibility.test_findings import CASE, with_current
+from tests.feasibility.test_findings import CASE, IN_STILL_WATER, with_current
 
 
 def made(text: str, mend: bumpless.Mend) -> str:
@@ -36,6 +36,8 @@ def made(text: str, mend: bumpless.Mend) -> str:
         (CASE.replace("[26, 0, 2.3]", "[26, 10, 2.3]"), "target_not_on_path"),
         (CASE.replace("speed_mps: 0.7}\ntarget", "speed_mps: 4.5}\ntarget"), "leg_too_fast"),
         (CASE + "end: {hover_hold_s: 100}\n", "long_hover"),
+        (CASE, "hover_to_the_end"),
+        (IN_STILL_WATER, "current_may_differ"),
         (CASE + "environment: {beam_attenuation_per_m: 0.96}\n", "seen_too_late"),
     ],
 )

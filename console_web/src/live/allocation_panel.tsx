@@ -1,4 +1,5 @@
 // The allocator's own account of this cycle: status, optimality, residual, time.
+import { useMemo } from "preact/hooks";
 import { MissionPhase, SolveStatus } from "../gen/bumpless_pb";
 import { compact, fixed } from "../lib/format";
 import { colour } from "../lib/theme";
@@ -7,6 +8,7 @@ import { Canvas } from "../ui/canvas";
 import { AlarmIcon, CheckIcon, HollowIcon, WarningIcon } from "../ui/icons";
 import { Empty, Panel } from "../ui/panel";
 import { Term } from "../words/term";
+import { pace } from "./pace";
 import { shown } from "./time_axis";
 import "./allocation_panel.css";
 
@@ -122,6 +124,7 @@ interface FigureProps {
 }
 
 function Figure({ word, name, value, unit, column, about }: FigureProps) {
+  const due = useMemo(pace, []);
   return (
     <div class="figure" title={about}>
       <span class="muted">
@@ -132,7 +135,12 @@ function Figure({ word, name, value, unit, column, about }: FigureProps) {
         {unit && <span class="unit"> {unit}</span>}
       </span>
       {column && (
-        <Canvas class="spark" name={`${name} over time`} paint={(g, w, h) => spark(g, w, h, column)} />
+        <Canvas
+          class="spark"
+          due={due}
+          name={`${name} over time`}
+          paint={(g, w, h) => spark(g, w, h, column)}
+        />
       )}
     </div>
   );

@@ -1,6 +1,7 @@
 // A uPlot chart outside the component tree: it is made anew when its look changes, fed when there is news.
 import { effect } from "@preact/signals";
 import uPlot from "uplot";
+import { ahead } from "../ahead/flights";
 import { drawAhead, extent } from "../ahead/overlay";
 import { fixed, headingOf } from "../lib/format";
 import { colour, font, theme, typeSize } from "../lib/theme";
@@ -10,6 +11,7 @@ import { ghost, ghostLine } from "./ghost";
 import { band } from "./limit_band";
 import { limits } from "./limits";
 import { letter, shade } from "./mode_ground";
+import { pace } from "./pace";
 import type { PlotSpec } from "./plots";
 import { follow, shown, showStretch, ticks, timeLabel, window_s } from "./time_axis";
 
@@ -21,20 +23,27 @@ export function chart(
   axis: boolean,
 ): () => void {
   let plot: uPlot | undefined;
+  let seen = box.clientHeight > 0; // asking the box with each picture would lay the page out once more
   const stopMaking = effect(() => {
     void [theme.value, typeSize.value];
     plot?.destroy();
     plot = new uPlot(options(spec, axis, box.clientWidth, box.clientHeight), dataOf(spec), box);
   });
+  const due = pace();
+  let drawn: unknown[] = [];
   const stopFeeding = effect(() => {
-    void [screen.tick, window_s.value, heldAt.value, ghost.value, limits.value];
-    if (!plot || !box.clientHeight) return;
-    plot.setData(dataOf(spec));
+    const asked = [window_s.value, heldAt.value, ghost.value, limits.value, ahead.value, plot];
+    void screen.tick;
+    if (!plot || !seen) return;
+    if (due(plot.width) || asked.some((one, i) => one !== drawn[i])) {
+      drawn = asked;
+      plot.setData(dataOf(spec));
+    }
     if (values) showValues(values, spec, plot);
   });
   const size = new ResizeObserver(() => {
-    if (box.clientWidth && box.clientHeight)
-      plot?.setSize({ width: box.clientWidth, height: box.clientHeight });
+    seen = box.clientWidth > 0 && box.clientHeight > 0;
+    if (seen) plot?.setSize({ width: box.clientWidth, height: box.clientHeight });
   });
   size.observe(box);
   return () => {
@@ -65,11 +74,18 @@ function dataOf(spec: PlotSpec): uPlot.AlignedData {
   return [times, ...lines, ghost.value ? ghostLine(measured, times, near) : new Array(rows).fill(null)];
 }
 
+function rowOf(column: string, row: number): number | null {
+  const value = screen.history.column(column)?.[row] ?? Number.NaN;
+  return Number.isNaN(value) ? null : value;
+}
+
 /** Values under the cursor, else the newest. */
 function showValues(element: HTMLElement, spec: PlotSpec, plot: uPlot): void {
-  const index = plot.cursor.idx ?? plot.data[0].length - 1;
+  const index = plot.cursor.idx;
+  const newest = screen.history.firstIndex(screen.until + 1e-6) - 1;
   spec.traces.forEach((trace, i) => {
-    const text = (spec.heading ? headingOf : fixed)(plot.data[i + 1]?.[index], spec.decimals);
+    const value = index == null ? rowOf(trace.column, newest) : plot.data[i + 1]?.[index];
+    const text = (spec.heading ? headingOf : fixed)(value, spec.decimals);
     const part = element.querySelector(`.value-${trace.look}`);
     if (part && part.textContent !== text) part.textContent = text;
   });

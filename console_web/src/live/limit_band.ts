@@ -20,18 +20,27 @@ export function band(plot: uPlot, spec: PlotSpec): void {
   g.fillStyle = colour("--reference");
   g.globalAlpha = 0.1;
   for (const [from, to] of stretches(times.length, about)) {
+    const middle = apart(plot, times, from, to).map((i) => [times[i] as number, about(i) as number] as const);
+    const at = ([time, value]: readonly [number, number], off: number): void =>
+      g.lineTo(plot.valToPos(time, "x", true), plot.valToPos(value + off, "y", true));
     g.beginPath();
-    for (let i = from; i <= to; i++)
-      g.lineTo(
-        plot.valToPos(times[i] as number, "x", true),
-        plot.valToPos((about(i) as number) + limit, "y", true),
-      );
-    for (let i = to; i >= from; i--)
-      g.lineTo(
-        plot.valToPos(times[i] as number, "x", true),
-        plot.valToPos((about(i) as number) - limit, "y", true),
-      );
+    for (const point of middle) at(point, limit);
+    for (const point of middle.toReversed()) at(point, -limit);
     g.fill();
   }
   g.restore();
+}
+
+/** Rows at least a pixel apart, and the ends: thousands of corners in a few hundred pixels cost and show nothing. */
+function apart(plot: uPlot, times: ArrayLike<number>, from: number, to: number): number[] {
+  const { min = 0, max = 0 } = plot.scales.x ?? {};
+  const pixel = ((max ?? 0) - (min ?? 0)) / Math.max(1, plot.bbox.width);
+  const rows: number[] = [];
+  let next = Number.NEGATIVE_INFINITY;
+  for (let i = from; i <= to; i++) {
+    if (i < to && (times[i] as number) < next) continue;
+    rows.push(i);
+    next = (times[i] as number) + pixel;
+  }
+  return rows;
 }

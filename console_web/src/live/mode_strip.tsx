@@ -1,10 +1,12 @@
 // The last minutes of modes as a strip: coloured and lettered, hatched while kappa is below 1,
 // with the detection, raw above filtered, as two thin lines below.
+import { useMemo } from "preact/hooks";
 import { Mode } from "../gen/bumpless_pb";
 import { modeLook } from "../lib/modes";
 import { colour, font, typeSize } from "../lib/theme";
 import { screen } from "../stream/screen";
 import { Canvas } from "../ui/canvas";
+import { pace } from "./pace";
 import { shown, spans, ticks, timeLabel } from "./time_axis";
 
 /** Heights, in type sizes of the page. */
@@ -12,8 +14,14 @@ const AXIS = 1;
 const LAMPS = 0.85;
 
 export function ModeStrip() {
+  const due = useMemo(pace, []);
   return (
-    <Canvas paint={paint} class="mode-strip" name="Modes over time, with transition ramp and detection" />
+    <Canvas
+      paint={paint}
+      due={due}
+      class="mode-strip"
+      name="Modes over time, with transition ramp and detection"
+    />
   );
 }
 

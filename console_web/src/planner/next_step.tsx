@@ -1,6 +1,6 @@
 // One line over the water: what to do next, so that nobody has to read a manual first.
 import { PlayIcon } from "../ui/icons";
-import { hard, plan } from "./fly/forecast";
+import { hard, plan, soft } from "./fly/forecast";
 import { mend } from "./fly/mend";
 import { closeOutline, drawn } from "./map/outline";
 import { outlining, tool } from "./map/tools";
@@ -81,7 +81,7 @@ function Judged() {
   }
   if (forecast.state !== "done" || !forecast.chance || forecast.problems.length > 0) return null;
   const share = forecast.chance.docked / Math.max(1, forecast.chance.of);
-  if (share < 0.95) return null;
+  if (share < 0.95) return <Doubtful docked={forecast.chance.docked} of={forecast.chance.of} />;
   return (
     <div class="next-step" data-look="good" role="status" aria-label="Next step">
       <span>This will dock.</span>
@@ -94,6 +94,35 @@ function Judged() {
         }}
       >
         <PlayIcon /> {unsaved.value ? "Save and start" : "Start"} …
+      </button>
+    </div>
+  );
+}
+
+/** What most often keeps a plan that can be flown from docking, in the order in which it is worth mending. */
+const COSTS_CHANCE = [
+  "hover_to_the_end",
+  "current_may_differ",
+  "current_hard_to_hold",
+  "long_hover",
+  "short_of_time",
+];
+
+function Doubtful({ docked, of }: { docked: number; of: number }) {
+  const worth = (code: string) =>
+    (COSTS_CHANCE.indexOf(code) + COSTS_CHANCE.length + 1) % (COSTS_CHANCE.length + 1);
+  const [first] = soft.value
+    .filter((finding) => finding.mends.length > 0)
+    .sort((a, b) => worth(a.code) - worth(b.code));
+  const best = first?.mends[0];
+  if (!best) return null;
+  return (
+    <div class="next-step" data-look="fair" role="status" aria-label="Next step">
+      <span title={first.reason}>
+        Docks in <span class="num">{docked}</span> of <span class="num">{of}</span>. What would help:
+      </span>
+      <button type="button" class="action small primary" onClick={() => mend(best)}>
+        {best.label}
       </button>
     </div>
   );

@@ -151,6 +151,7 @@ function Recording() {
     <span
       class="chip recording"
       data-look={on ? "recording" : "off"}
+      data-beat={on ? beat() : undefined}
       title={on ? `Run ${status?.recordingRunId}` : "Each mission is recorded from start to end"}
     >
       {on ? <RecordIcon size={11} /> : <HollowIcon size={11} />}
@@ -164,6 +165,10 @@ function Recording() {
       {lost > 0 && <span class="lost"> {lost} dropped</span>}
     </span>
   );
+}
+
+function beat(): "on" | "off" {
+  return Math.floor(live.now.value / 1000) % 2 ? "on" : "off";
 }
 
 /** The time, always with its zone; a click changes the zone everywhere. */

@@ -3,7 +3,7 @@ import { useSignal } from "@preact/signals";
 import { ask } from "../api/client";
 import type { Refusal } from "../api/http";
 import { Panel } from "../ui/panel";
-import { RefusalIn } from "../ui/refusal";
+import { Field, Form, NewPassword } from "./form";
 
 async function logOut(): Promise<void> {
   await ask("post", "/api/logout");
@@ -32,46 +32,17 @@ export function OwnPassword() {
         </button>
       }
     >
-      <form
-        class="system-form"
-        aria-label="Change your password"
-        onSubmit={(event) => {
-          event.preventDefault();
-          void change();
-        }}
+      <Form
+        name="Change your password"
+        does="Change it"
+        submit={change}
+        refused="Not changed."
+        refusal={refusal}
+        told={done.value && <p role="status">Changed. Your other sessions are over.</p>}
       >
-        <label>
-          Present password
-          <input
-            required
-            type="password"
-            autocomplete="current-password"
-            value={old.value}
-            onInput={(event) => {
-              old.value = event.currentTarget.value;
-            }}
-          />
-        </label>
-        <label>
-          New password
-          <input
-            required
-            type="password"
-            minLength={10}
-            maxLength={200}
-            autocomplete="new-password"
-            value={fresh.value}
-            onInput={(event) => {
-              fresh.value = event.currentTarget.value;
-            }}
-          />
-        </label>
-        <button type="submit" class="action">
-          Change it
-        </button>
-        {done.value && <p role="status">Changed. Your other sessions are over.</p>}
-        <RefusalIn title="Not changed." of={refusal} />
-      </form>
+        <Field label="Present password" of={old} type="password" autocomplete="current-password" />
+        <NewPassword label="New password" of={fresh} />
+      </Form>
     </Panel>
   );
 }

@@ -1,7 +1,8 @@
 // Who is logged in, and the button that ends it.
 import { ask } from "../api/client";
 import { dateTime } from "../lib/format";
-import { Empty, Panel } from "../ui/panel";
+import { Panel } from "../ui/panel";
+import { Listed } from "./listed";
 import { refreshPeople, sessions } from "./resources";
 
 export function Sessions() {
@@ -12,46 +13,33 @@ export function Sessions() {
   };
   return (
     <Panel title="Logged in" class="system-wide" scrolls>
-      {list?.length === 0 && <Empty>Nobody is logged in.</Empty>}
-      {list && list.length > 0 && (
-        <table class="table compact">
-          <thead>
-            <tr>
-              <th scope="col">Who</th>
-              <th scope="col">From</th>
-              <th scope="col">Since</th>
-              <th scope="col">Last seen</th>
-              <th scope="col">Ends unused</th>
-              <th scope="col">
-                <span class="sr">Log out</span>
-              </th>
-            </tr>
-          </thead>
-          <tbody>
-            {list.map((one) => (
-              <tr key={one.id}>
-                <th scope="row">
-                  {one.user} {one.mine && <span class="tag">this browser</span>}
-                </th>
-                <td class="code">{one.address}</td>
-                <td class="when">{dateTime(one.since)}</td>
-                <td class="when">{dateTime(one.seen)}</td>
-                <td class="when">{dateTime(one.ends)}</td>
-                <td>
-                  <button
-                    type="button"
-                    class="action small"
-                    aria-label={`Log ${one.user} out at ${one.address}`}
-                    onClick={() => void end(one.id)}
-                  >
-                    Log out
-                  </button>
-                </td>
-              </tr>
-            ))}
-          </tbody>
-        </table>
-      )}
+      <Listed
+        list={list}
+        empty="Nobody is logged in."
+        head={["Who", "From", "Since", "Last seen", "Ends unused"]}
+        last="Log out"
+        row={(one) => (
+          <tr key={one.id}>
+            <th scope="row">
+              {one.user} {one.mine && <span class="tag">this browser</span>}
+            </th>
+            <td class="code">{one.address}</td>
+            <td class="when">{dateTime(one.since)}</td>
+            <td class="when">{dateTime(one.seen)}</td>
+            <td class="when">{dateTime(one.ends)}</td>
+            <td>
+              <button
+                type="button"
+                class="action small"
+                aria-label={`Log ${one.user} out at ${one.address}`}
+                onClick={() => void end(one.id)}
+              >
+                Log out
+              </button>
+            </td>
+          </tr>
+        )}
+      />
     </Panel>
   );
 }

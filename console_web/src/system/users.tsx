@@ -5,8 +5,10 @@ import type { Refusal } from "../api/http";
 import { me } from "../api/resources";
 import { dateTime } from "../lib/format";
 import { DeleteButton } from "../ui/delete_button";
-import { Empty, Panel } from "../ui/panel";
+import { Panel } from "../ui/panel";
 import { RefusalIn } from "../ui/refusal";
+import { Field, Form, NewPassword } from "./form";
+import { Listed } from "./listed";
 import { refreshPeople, users } from "./resources";
 import { type Role, RoleField } from "./roles";
 
@@ -20,60 +22,39 @@ export function Users() {
   };
   return (
     <Panel title="Accounts" class="system-wide">
-      {list?.length === 0 && (
-        <Empty>
-          Nobody has an account, so nobody has to log in. With the first account, an engineer's, everybody
-          does.
-        </Empty>
-      )}
-      {list && list.length > 0 && (
-        <table class="table compact">
-          <thead>
-            <tr>
-              <th scope="col">Name</th>
-              <th scope="col">Role</th>
-              <th scope="col">Since</th>
-              <th scope="col" class="num">
-                Sessions
-              </th>
-              <th scope="col" class="num">
-                Tokens
-              </th>
-              <th scope="col">
-                <span class="sr">Remove</span>
-              </th>
-            </tr>
-          </thead>
-          <tbody>
-            {list.map((user) => (
-              <tr key={user.name}>
-                <th scope="row">
-                  {user.name} {user.name === me.value?.name && <span class="tag">you</span>}
-                </th>
-                <td>
-                  <RoleField
-                    small
-                    label={`Role of ${user.name}`}
-                    value={user.role}
-                    onChoose={(role) => void change(user.name, { role })}
-                  />
-                </td>
-                <td class="when">{dateTime(user.since)}</td>
-                <td class="num">{user.sessions}</td>
-                <td class="num">{user.tokens}</td>
-                <td>
-                  <DeleteButton
-                    name={`Remove ${user.name}`}
-                    holdMs={700}
-                    remove={() => ask("delete", "/api/users/{name}", { path: { name: user.name } })}
-                    after={async () => refreshPeople()}
-                  />
-                </td>
-              </tr>
-            ))}
-          </tbody>
-        </table>
-      )}
+      <Listed
+        list={list}
+        empty="Nobody has an account, so nobody has to log in. With the first account, an engineer's, everybody does."
+        head={["Name", "Role", "Since", "Sessions", "Tokens"]}
+        numbers={["Sessions", "Tokens"]}
+        last="Remove"
+        row={(user) => (
+          <tr key={user.name}>
+            <th scope="row">
+              {user.name} {user.name === me.value?.name && <span class="tag">you</span>}
+            </th>
+            <td>
+              <RoleField
+                small
+                label={`Role of ${user.name}`}
+                value={user.role}
+                onChoose={(role) => void change(user.name, { role })}
+              />
+            </td>
+            <td class="when">{dateTime(user.since)}</td>
+            <td class="num">{user.sessions}</td>
+            <td class="num">{user.tokens}</td>
+            <td>
+              <DeleteButton
+                name={`Remove ${user.name}`}
+                holdMs={700}
+                remove={() => ask("delete", "/api/users/{name}", { path: { name: user.name } })}
+                after={async () => refreshPeople()}
+              />
+            </td>
+          </tr>
+        )}
+      />
       <RefusalIn title="Not changed." of={refusal} />
       <NewUser first={list?.length === 0} />
     </Panel>
@@ -100,44 +81,9 @@ function NewUser({ first }: { first: boolean }) {
     else refreshPeople();
   };
   return (
-    <form
-      class="system-form"
-      aria-label="New account"
-      autocomplete="off"
-      onSubmit={(event) => {
-        event.preventDefault();
-        void make();
-      }}
-    >
-      <label>
-        Name
-        <input
-          required
-          maxLength={40}
-          autocapitalize="none"
-          spellcheck={false}
-          autocomplete="off"
-          value={name.value}
-          onInput={(event) => {
-            name.value = event.currentTarget.value;
-          }}
-        />
-      </label>
-      <label>
-        Password
-        <input
-          required
-          type="password"
-          minLength={10}
-          maxLength={200}
-          autocomplete="new-password"
-          title="At least ten characters"
-          value={password.value}
-          onInput={(event) => {
-            password.value = event.currentTarget.value;
-          }}
-        />
-      </label>
+    <Form name="New account" does="Make the account" submit={make} refused="Not made." refusal={refusal}>
+      <Field label="Name" of={name} maxLength={40} verbatim autocomplete="off" />
+      <NewPassword label="Password" of={password} />
       {first ? (
         <span class="muted">an engineer's</span>
       ) : (
@@ -149,10 +95,6 @@ function NewUser({ first }: { first: boolean }) {
           }}
         />
       )}
-      <button type="submit" class="action">
-        Make the account
-      </button>
-      <RefusalIn title="Not made." of={refusal} />
-    </form>
+    </Form>
   );
 }

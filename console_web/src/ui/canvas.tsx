@@ -1,12 +1,20 @@
 // A canvas as large as its box, sharp on any screen, drawn when there is something new to show.
-import { useSignalEffect } from "@preact/signals";
+import { effect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { theme, typeSize } from "../lib/theme";
 import { screen } from "../stream/screen";
 
 export type Paint = (context: CanvasRenderingContext2D, width: number, height: number) => void;
 
-export function Canvas({ paint, name, class: look }: { paint: Paint; name: string; class?: string }) {
+interface Props {
+  paint: Paint;
+  name: string;
+  class?: string;
+  /** Whether news are worth drawing at this width, px; without it they always are. */
+  due?: (width: number) => boolean;
+}
+
+export function Canvas({ paint, name, class: look, due }: Props) {
   const element = useRef<HTMLCanvasElement>(null);
   const size = useRef({ width: 0, height: 0 });
   const latest = useRef(paint);
@@ -34,9 +42,16 @@ export function Canvas({ paint, name, class: look }: { paint: Paint; name: strin
     observer.observe(canvas);
     return () => observer.disconnect();
   }, []);
-  useSignalEffect(() => {
-    void [screen.tick, theme.value, typeSize.value];
-    draw();
-  });
+  // Not useSignalEffect: it draws a picture later than the values beside it, and makes two pictures of one.
+  useEffect(() => {
+    let drawn = "";
+    return effect(() => {
+      const look = `${theme.value}${typeSize.value}`;
+      void screen.tick;
+      if (look === drawn && due && !due(size.current.width)) return;
+      drawn = look;
+      draw();
+    });
+  }, []);
   return <canvas ref={element} class={look} role="img" aria-label={name} />;
 }

@@ -33,6 +33,7 @@ class Holder:
     since_ns: int
     reason: str = ""
     seen_s: float = 0.0  # by the lease's clock
+    left: bool = False  # its last stream has ended, and nothing came of it since
 
 
 class Lease:
@@ -57,6 +58,15 @@ class Lease:
                     told.until_ns = time.time_ns() + round((held.seen_s + GRACE_S - self._now()) * 1e9)
             return told
 
+    def present(self) -> bool:
+        """Whether somebody in control is there: its stream is open, or it commanded within the grace.
+
+        Unlike the lease it does not outlast a page that was closed: the vehicle is told of that at once.
+        """
+        with self._lock:
+            held = self._held()
+            return held is not None and (held.who.client in self._here or not held.left)
+
     def joined(self, who: Who) -> None:
         """A browser's stream is open."""
         with self._lock:
@@ -71,7 +81,7 @@ class Lease:
                 self._here[who.client] = (who, count)
             else:
                 self._here.pop(who.client, None)
-                self._seen(who)
+                self._seen(who, left=True)
             self._settle()
 
     def tick(self) -> None:
@@ -191,9 +201,9 @@ class Lease:
         self._requests.pop(who.client, None)
         self._holder = Holder(who, time.time_ns(), reason, self._now())
 
-    def _seen(self, who: Who) -> None:
+    def _seen(self, who: Who, left: bool = False) -> None:
         if self._holder is not None and self._holder.who.client == who.client:
-            self._holder = replace(self._holder, who=who, seen_s=self._now())
+            self._holder = replace(self._holder, who=who, seen_s=self._now(), left=left)
 
     def _settle(self, but: str = "") -> None:
         """Give free control to who waits for it, and tell of what changed."""

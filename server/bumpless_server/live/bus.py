@@ -104,12 +104,12 @@ class Bus:
         question = Question(self.vehicle_id, verb, header.id, self._speaker.session, self._foreign_reply)
         return question.ask(session, request, header, timeout_s)
 
-    def beat(self) -> None:
-        """Say that a console is there; never waits."""
+    def beat(self, in_control: bool) -> None:
+        """Say that a console is there, and whether the holder of control is; never waits."""
         session = self._session
         if session is None:
             return
-        beat = pb.Heartbeat(time_ns=time.time_ns(), session_id=str(session.zid()))
+        beat = pb.Heartbeat(time_ns=time.time_ns(), session_id=str(session.zid()), in_control=in_control)
         with contextlib.suppress(zenoh.ZError):
             session.put(
                 keys.heartbeat(self.vehicle_id), beat.SerializeToString(), encoding=keys.encoding_of(beat)

@@ -1,4 +1,4 @@
-"""Says to the vehicle, as long as this server works, that a console is there."""
+"""Says to the vehicle, as long as this server works, that a console is there, and if somebody holds control."""
 
 import threading
 from collections.abc import Callable

@@ -50,6 +50,9 @@ def described(app: FastAPI) -> dict[str, Any]:
     told = FastAPI.openapi(app)
     told["info"] |= {"version": VERSION, "description": ABOUT}
     told["components"]["securitySchemes"] = SCHEMES
+    content = {PROBLEM: {"schema": {"$ref": "#/components/schemas/Refused"}}}
+    refused = {f"Refused{status}": {"description": why, "content": content} for status, why in WHY.items()}
+    told["components"]["responses"] = refused
     for path, methods in told["paths"].items():
         for method, operation in methods.items():
             _complete(operation, method.upper(), path)
@@ -79,10 +82,7 @@ def _complete(operation: dict[str, Any], method: str, path: str) -> None:
     for wild in ("4XX", "5XX", "422"):
         answers.pop(wild, None)
     for status in sorted(_refusals(operation, right, method, path)):
-        answers[str(status)] = {
-            "description": WHY[status],
-            "content": {PROBLEM: {"schema": {"$ref": "#/components/schemas/Refused"}}},
-        }
+        answers[str(status)] = {"$ref": f"#/components/responses/Refused{status}"}
 
 
 def _refusals(operation: dict[str, Any], right: Right, method: str, path: str) -> set[int]:

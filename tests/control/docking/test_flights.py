@@ -12,17 +12,7 @@ from bumpless.sim.log import LOG
 from bumpless.sim.twin import Twin, simulate
 from bumpless_paper.study.docks import draw_case, fly_case, judge
 from bumpless_paper.study.docks.judge import hits, inside_dock
-
-FAR = """
-version: 1
-name: straight
-vehicle: ts100
-duration_s: 400
-seed: 1
-start: {position_ned_m: [0, 0, 2.0], heading_deg: 0, speed_mps: 0.7}
-legs: [{to_ned_m: [200, 0, 2.0], speed_mps: 0.7}]
-target: {position_ned_m: [201.5, 0, 2.0], heading_deg: 0, standoff_m: 1.5}
-"""
+from bumpless_paper.study.docks.response import FAR_SIGHTED, STRAIGHT
 
 
 @pytest.mark.parametrize(
@@ -78,7 +68,7 @@ def settled_s(step: np.ndarray) -> float:
 def test_depth_follows_a_step_in_forward(ts100) -> None:
     """Protects: 0.5 m of depth in F settles within 15 s and overshoots less than 5 %."""
     twin = Twin(ts100)
-    twin.start(parse_mission(FAR, "far.yaml", ts100))
+    twin.start(parse_mission(STRAIGHT, "far.yaml", ts100))
     before = flown(twin, 600)["eta"][-100:, 2].mean()
     twin.onboard["plan"]["waypoint"][:2, 2] = 2.5
     twin.onboard["plan"]["target"][2] = twin.onboard["state"]["navigation"]["target"][2] = 2.5
@@ -90,7 +80,7 @@ def test_depth_follows_a_step_in_forward(ts100) -> None:
 
 def test_heading_follows_a_step_in_forward(ts100) -> None:
     """Protects: 20 deg of heading in F settle within 15 s and overshoot less than 10 %."""
-    text = FAR + "parameters: {guidance: {look_ahead_m: 150}}\n"
+    text = STRAIGHT + FAR_SIGHTED
     twin = Twin(ts100)
     twin.start(parse_mission(text, "far.yaml", ts100))
     flown(twin, 400)
@@ -108,7 +98,7 @@ def test_heading_follows_a_step_in_forward(ts100) -> None:
 
 def test_speed_does_not_dip_at_the_start(ts100) -> None:
     """Protects: a vehicle that begins at speed begins with turning screws and references as it is found."""
-    log = simulate(parse_mission(FAR.replace("400", "15"), "far.yaml", ts100), ts100).log
+    log = simulate(parse_mission(STRAIGHT.replace("400", "15"), "far.yaml", ts100), ts100).log
     assert np.abs(log["nu"][:, 0] - log["nu"][0, 0]).max() < 0.03
 
 

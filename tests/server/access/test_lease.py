@@ -99,6 +99,28 @@ def test_the_lease_ends_with_the_connection_but_not_with_a_reload(desk: Desk) ->
     assert ("control_lost", "Ada is gone and lost control") in desk.said
 
 
+def test_the_vehicle_is_told_at_once_that_the_holder_is_gone(desk: Desk) -> None:
+    """Protects: the lease outlasts a reload by its grace; the vehicle's own limit must not begin after it."""
+    assert not desk.lease.present()
+    desk.lease.joined(ADA)
+    assert not desk.lease.present()  # watches, holds nothing
+    desk.lease.use(ADA)
+    assert desk.lease.present()
+    desk.lease.left(ADA)
+    assert not desk.lease.present() and desk.holder == "Ada"
+    desk.lease.joined(ADA)
+    assert desk.lease.present()
+
+
+def test_a_script_without_a_stream_is_there_for_the_grace(desk: Desk) -> None:
+    """Protects: a script that commands and never listens is no holder that vanished between two commands."""
+    desk.lease.use(ADA)
+    desk.now += GRACE_S - 0.1
+    assert desk.lease.present()
+    desk.now += 0.2
+    assert not desk.lease.present()
+
+
 def test_two_tabs_of_one_browser_are_one_holder(desk: Desk) -> None:
     """Protects: closing one of two tabs gives nothing away."""
     desk.lease.joined(ADA)

@@ -1042,12 +1042,14 @@ class ServerStatus(_message.Message):
     def __init__(self, time_ns: _Optional[int] = ..., vehicle_id: _Optional[str] = ..., link: _Optional[_Union[LinkState, str]] = ..., telemetry_age_s: _Optional[float] = ..., recording: _Optional[bool] = ..., recording_run_id: _Optional[str] = ..., recorded_bytes: _Optional[int] = ..., recorder_dropped: _Optional[int] = ..., node_restarts: _Optional[int] = ..., stream_clients: _Optional[int] = ..., server_version: _Optional[str] = ..., node_managed: _Optional[bool] = ..., recorder_trouble: _Optional[str] = ..., topics: _Optional[_Iterable[_Union[TopicFreshness, _Mapping]]] = ..., clock_offset_s: _Optional[float] = ..., bus_notice: _Optional[str] = ..., set_aside: _Optional[int] = ...) -> None: ...
 
 class Heartbeat(_message.Message):
-    __slots__ = ("time_ns", "session_id")
+    __slots__ = ("time_ns", "session_id", "in_control")
     TIME_NS_FIELD_NUMBER: _ClassVar[int]
     SESSION_ID_FIELD_NUMBER: _ClassVar[int]
+    IN_CONTROL_FIELD_NUMBER: _ClassVar[int]
     time_ns: int
     session_id: str
-    def __init__(self, time_ns: _Optional[int] = ..., session_id: _Optional[str] = ...) -> None: ...
+    in_control: bool
+    def __init__(self, time_ns: _Optional[int] = ..., session_id: _Optional[str] = ..., in_control: _Optional[bool] = ...) -> None: ...
 
 class TopicFreshness(_message.Message):
     __slots__ = ("topic", "age_s", "fresh_for_s", "late")

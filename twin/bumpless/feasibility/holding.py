@@ -11,10 +11,11 @@ from bumpless.config.parameters import Parameters
 from bumpless.config.vehicle import Vehicle
 from bumpless.feasibility.finding import HARD, SOFT, Finding, Mend
 from bumpless.feasibility.long_hover import check_long_hover
-from bumpless.feasibility.station import ACCEPT, REFUSE, Station, station_keeping
+from bumpless.feasibility.station import ACCEPT, REFUSE, Station, station_keeping, surely_held
 from bumpless.sim.approach import turn_limit_deg
 
 _FIELD = "target.heading_deg"
+OPEN_MPS = 0.01  # of current across that a plan can't know: two deviations of what foresight draws
 _SIDES = (
     "north", "north-east", "east", "south-east", "south", "south-west", "west", "north-west",
 )  # fmt: skip
@@ -29,6 +30,7 @@ def check_station(mission: Mission, vehicle: Vehicle, parameters: Parameters) ->
     held = station.chosen
     if held.zone == ACCEPT:
         yield from check_long_hover(mission, vehicle, parameters)
+        yield from _unforeseen(mission, vehicle, parameters)
         return
     at = f"heading {station.chosen_deg % 360.0:03.0f}° in {_flow(current)}"
     change, mends = what_would(station, target, vehicle, parameters.docking.enabled)
@@ -38,6 +40,25 @@ def check_station(mission: Mission, vehicle: Vehicle, parameters: Parameters) ->
     else:
         text = f"{vehicle.id} may not hold {at}: {held.reason}."
         yield Finding(SOFT, "current_hard_to_hold", _FIELD, text, change, mends)
+
+
+def _unforeseen(mission: Mission, vehicle: Vehicle, parameters: Parameters) -> Iterator[Finding]:
+    """Would a current that is hardly another than the plan's take it out of place?"""
+    target, docking = mission.target, parameters.docking
+    current = mission.environment.current_ned_mps
+    if not docking.enabled or surely_held(vehicle, parameters, current, target, OPEN_MPS):
+        return
+    text = (
+        f"{vehicle.id} has no sideways thrust, and by the flow over its fins it surely bears "
+        f"{docking.sure_side_still_mps:g} m/s abeam on heading {target.heading_deg % 360.0:03.0f}°: "
+        f"in {OPEN_MPS:g} m/s more than planned it may wave off."
+    )
+    ahead = (OPEN_MPS - docking.sure_side_still_mps) / docking.sure_side_share
+    change, mends = f"Dock where {ahead:.2f} m/s or more come from ahead", ()
+    if target.dock is None:
+        change += ", or let the approach turn into the current"
+        mends = (Mend("target.approach", "into_current", "Approach into the current"),)
+    yield Finding(SOFT, "current_may_differ", _FIELD, text, f"{change}.", mends)
 
 
 def _flow(current: tuple[float, float, float]) -> str:

@@ -13,9 +13,11 @@ from bumpless.config.mission import Mission
 from bumpless.config.parameters import Parameters
 from bumpless.config.vehicle import Vehicle
 from bumpless.feasibility.finding import HARD, SOFT, Finding, Mend
+from bumpless.feasibility.path import time_there
 from bumpless.sim.approach import turn_used_deg
 
 BRIEF_S = 20.0  # held wherever docking is accepted
+DOCKED_S = 10.0  # in place, which docked means
 _LONG_S = 120.0
 _STEADY_MPS = 0.05  # of current from which the bow follows one that hardly changes
 _PER_GUST = 5.0  # m/s of current more for each m/s of deviation of its change
@@ -27,13 +29,19 @@ _FAR_OFF = 2.0
 
 def check_long_hover(mission: Mission, vehicle: Vehicle, parameters: Parameters) -> Iterator[Finding]:
     """Can the vehicle stay for `end.hover_hold_s` where docking itself is accepted?"""
-    hold = mission.end.hover_hold_s or 0.0
-    if not parameters.docking.enabled or hold <= BRIEF_S:
+    if not parameters.docking.enabled:
+        return
+    asked = mission.end.hover_hold_s
+    hold = mission.duration_s - time_there(mission, vehicle, parameters) if asked is None else asked
+    if hold <= BRIEF_S:
         return
     flow, gust = _flow(mission), _gust(mission)
     needed, borne = _STEADY_MPS + _PER_GUST * gust, _SURE * math.asin(parameters.docking.crab_borne)
     off = _off_bow(mission, vehicle)
     if flow >= needed and off <= borne:
+        return
+    if asked is None:
+        yield _to_the_end(vehicle, hold)
         return
     brief = Mend("end.hover_hold_s", BRIEF_S, f"Hold {BRIEF_S:g} s")
     again = f"may have to wave off and dock again within {hold:.0f} s."
@@ -48,6 +56,16 @@ def check_long_hover(mission: Mission, vehicle: Vehicle, parameters: Parameters)
     hopeless = hold > _LONG_S and (flow < _NO_FLOW_MPS or off > _FAR_OFF * borne)
     severity = HARD if hopeless else SOFT
     yield Finding(severity, "long_hover", "end.hover_hold_s", f"{vehicle.id} {why}", change, mends)
+
+
+def _to_the_end(vehicle: Vehicle, hold: float) -> Finding:
+    """Nobody asked for a hover of that length: it only lasts until the mission's time is over."""
+    field = "end.hover_hold_s"
+    text = f"{vehicle.id} hovers until the mission's time is over, for about {hold:.0f} s: here it may "
+    text += "have to wave off before that, and only what is docked at the end has docked."
+    mend = Mend(field, DOCKED_S, f"End after {DOCKED_S:g} s of hover")
+    change = f"Let the mission end once it has hovered for {DOCKED_S:g} s."
+    return Finding(SOFT, "hover_to_the_end", field, text, change, (mend,))
 
 
 def _flow(mission: Mission) -> float:

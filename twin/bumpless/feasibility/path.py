@@ -120,12 +120,17 @@ def round_time(mission: Mission, vehicle: Vehicle, parameters: Parameters) -> fl
     return (d.entry_distance_m * (1.0 - math.cos(turn)) + d.turn_radius_m * turn) / speed
 
 
+def time_there(mission: Mission, vehicle: Vehicle, parameters: Parameters) -> float:
+    """Time until it hovers before the target, s, if the first approach succeeds; infinite: never."""
+    way = sum(leg_time(mission, i) for i in range(len(mission.legs)))
+    return way + approach_time(parameters, mission) + round_time(mission, vehicle, parameters)
+
+
 def check_time(mission: Mission, vehicle: Vehicle, parameters: Parameters) -> Iterator[Finding]:
     """Is the way flown within the duration, with the approach and the hold?"""
     way = sum(leg_time(mission, i) for i in range(len(mission.legs)))
-    more = approach_time(parameters, mission) + round_time(mission, vehicle, parameters)
     hold = mission.end.hover_hold_s or 10.0
-    total, most = way + more + hold, mission.duration_s
+    total, most = time_there(mission, vehicle, parameters) + hold, mission.duration_s
     if not math.isfinite(way):
         return
     allow = math.ceil(total / 10.0) * 10.0

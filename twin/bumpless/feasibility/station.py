@@ -64,6 +64,27 @@ def station_keeping(
     return Station(headings, zone, chosen, rule.at(chosen), nearest)
 
 
+def surely_held(
+    vehicle: Vehicle,
+    parameters: Parameters,
+    current_ned_mps: tuple[float, float, float],
+    target: Target,
+    off_mps: float,
+) -> bool:
+    """Whether station is surely kept though the current is so much stronger across the target's heading.
+
+    Across from either side, in m/s; the vehicle turns into it as far as the target lets it.
+    """
+    heading = math.radians(target.heading_deg)
+    north, east, down = current_ned_mps
+    rule = _Rule(vehicle, parameters, current_ned_mps)
+    for across in (-off_mps, off_mps):
+        rule.take((north - across * math.sin(heading), east + across * math.cos(heading), down))
+        if rule.at(rule.choose(target.heading_deg, turn_used_deg(target, vehicle))).zone != ACCEPT:
+            return False
+    return True
+
+
 def _turned(given_deg: float, tolerance_deg: float, to_deg: float) -> float:
     """The heading within the tolerance of the given one that is nearest to another."""
     off = (to_deg - given_deg + 180.0) % 360.0 - 180.0
@@ -73,10 +94,14 @@ def _turned(given_deg: float, tolerance_deg: float, to_deg: float) -> float:
 class _Rule:
     def __init__(self, vehicle: Vehicle, parameters: Parameters, current: tuple[float, float, float]) -> None:
         self.model: Any = build_model(vehicle)
-        self.current, self.parameters = current, parameters
+        self.parameters = parameters
         self.docking = docking_settings(parameters.docking)
         self.sway = side_force(self.model)
-        self.speed = math.hypot(current[0], current[1])
+        self.take(current)
+
+    def take(self, current: tuple[float, float, float]) -> None:
+        """Judge by this current from now on."""
+        self.current, self.speed = current, math.hypot(current[0], current[1])
 
     def split(self, heading_deg: float) -> tuple[float, float]:
         """(along, across): the current from astern and to starboard of a heading, m/s."""

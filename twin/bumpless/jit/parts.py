@@ -13,6 +13,7 @@ compilation.
 import inspect
 from typing import Any
 
+from llvmlite.binding import Linkage
 from numba.core import compiler, dispatcher, sigutils, types
 from numba.core.codegen import JITCodeLibrary
 from numba.core.imputils import lower_cast
@@ -64,6 +65,13 @@ class _WholeLibrary(JITCodeLibrary):
                     waiting += library._linking_libraries[::-1]
         self._linking_libraries = list(linked)
         super().finalize()
+
+    def _optimize_final_module(self) -> None:
+        # nobody else calls the parts: with one caller each becomes a piece of it, and none is kept twice
+        for function in self._final_module.functions:
+            if not function.is_declaration and function.linkage == Linkage.linkonce_odr:
+                function.linkage = Linkage.internal
+        super()._optimize_final_module()
 
     @classmethod
     def new(cls, context: Any, name: str) -> JITCodeLibrary:

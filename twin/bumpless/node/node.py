@@ -144,13 +144,11 @@ class Node:
         self._speak(claim, say)
 
     def _look_at(self, claim: Claim, say: Callable[[str], None]) -> None:
-        """What the loop must not wait for: the disk, the clock, the console's silence, other nodes."""
+        """What the loop must not wait for: the disk, the clock, who is gone, other nodes."""
         phase = self._flight.twin.phase
         self._memory.note(phase, self._flight.state, self._flight.place)
-        lost_s = self._heartbeat.lost_s(phase)
-        if lost_s is not None:
-            what = f"No word from the console for {lost_s:.1f} s"
-            self._react("heartbeat_lost", what, self._failsafe.heartbeat_lost)
+        for lost in self._heartbeat.lost(phase):
+            self._react(*lost)
         jump_s = self._clock_watch.jump_s()
         if jump_s is not None:
             self._react("clock_jump", f"Its clock has jumped by {jump_s:+.1f} s", self._failsafe.clock_jump)
@@ -186,7 +184,7 @@ class Node:
         return [
             self._session.declare_queryable(schema_key, tell_schema, complete=True),
             self._session.declare_subscriber(
-                keys.heartbeat(self._name), lambda _sample: self._heartbeat.beat()
+                keys.heartbeat(self._name), lambda sample: self._heartbeat.beat(sample.payload.to_bytes())
             ),
             self._session.declare_queryable(
                 keys.command(self._name, "*"), self._commander.enqueue, complete=True

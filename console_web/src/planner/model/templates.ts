@@ -6,8 +6,10 @@ export interface Template {
   about: string;
 }
 
-/** Room for the slowest plans of a tank or a harbour; the operator sees and changes it. */
-const DURATION_S = 180;
+/** Room for the slowest plans of a tank or a harbour, and for a second approach; the operator changes it. */
+const DURATION_S = 300;
+/** In place for so long is docked, and the mission over: nobody waits for the rest of the time. */
+const HOVER_S = 10;
 
 export function blank(name: string, vehicle: string): string {
   return `version: 1
@@ -23,6 +25,8 @@ start:
   heading_deg: 0
   speed_mps: 0.7
 legs: []
+end:
+  hover_hold_s: ${HOVER_S}
 `;
 }
 

@@ -50,6 +50,18 @@ class Failsafe:
         float, Number("Silence of the console after which the vehicle acts; 0: never", "s", 0.0, 3600.0)
     ] = 0.0
     heartbeat_lost: Annotated[Reaction, does("the console is silent for so long in a mission")] = "hold"
+    holder_lost_s: Annotated[
+        float,
+        Number(
+            "Time without anybody in control after which the vehicle acts; 0: never",
+            "s",
+            0.0,
+            3600.0,
+            help="Control is lost when the holder's page is closed or cut off. Leave time for a page that is "
+            "loaded anew; after ten seconds another browser that is open takes over.",
+        ),
+    ] = 0.0
+    holder_lost: Annotated[Reaction, does("nobody has been in control for so long in a mission")] = "hold"
     target_missing_s: Annotated[float, limit("Longest time in a mission without the target", "s", 1e5)] = 0.0
     target_missing: Annotated[Reaction, does("the target was not seen for so long")] = "hold"
     depth_most_m: Annotated[float, limit("Deepest it may measure", "m", 11000.0)] = 0.0
@@ -78,6 +90,8 @@ class Failsafe:
         return (
             _watched("heartbeat_lost", "The console is not heard during a mission.", self.heartbeat_lost,
                      self.heartbeat_lost_s, "s"),
+            _watched("holder_lost", "Nobody is in control during a mission, as when your page is closed or "
+                     "cut off.", self.holder_lost, self.holder_lost_s, "s"),
             _watched("target_missing", "The target is not seen for too long in a mission.",
                      self.target_missing, self.target_missing_s, "s"),
             _watched("depth_exceeded", "It is too deep.", self.depth_exceeded, self.depth_most_m, "m"),

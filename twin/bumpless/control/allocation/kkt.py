@@ -1,6 +1,6 @@
 """How far a point is from the optimum of a box QP, in one number per cycle."""
 
-from bumpless.jit import jit
+from bumpless.jit import inline, jit
 
 
 @jit
@@ -20,10 +20,29 @@ def kkt_residual(H, g, lb, ub, x, n):
         s = g[i]
         for j in range(n):
             s += H[i, j] * x[j]
-        # a variable without curvature moves as the stiffest one would
-        d = H[i, i] if H[i, i] > 1e-14 * largest else largest
-        v = x[i] - s / d if d > 0.0 else x[i] - s
-        r = abs(x[i] - min(max(v, lb[i]), ub[i]))
+        r = _off(x[i], s, H[i, i], largest, lb[i], ub[i])
         if not r <= worst:
             worst = r
     return worst
+
+
+@jit
+def residual_at_zero(diagonal, g, lb, ub, n):
+    """The same at x = 0, where the diagonal of H (>=n,) will do."""
+    largest, worst = 0.0, 0.0
+    for i in range(n):
+        largest = max(largest, diagonal[i])
+    for i in range(n):
+        r = _off(0.0, g[i], diagonal[i], largest, lb[i], ub[i])
+        if not r <= worst:
+            worst = r
+    return worst
+
+
+@inline
+def _off(x, slope, stiffness, largest, low, high):
+    """|x - clip(x - slope / stiffness, low, high)| of one variable."""
+    # a variable without curvature moves as the stiffest one would
+    d = stiffness if stiffness > 1e-14 * largest else largest
+    v = x - slope / d if d > 0.0 else x - slope
+    return abs(x - min(max(v, low), high))

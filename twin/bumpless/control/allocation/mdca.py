@@ -10,18 +10,21 @@ second-order term (`curvature`), in the QP where it leaves that convex, and as a
 
 from math import isfinite
 
+from bumpless.config.capacity import MAX_ACTUATORS as _N
 from bumpless.contract.enums import BUDGET_SPENT, FALLBACK, REFUSED, SOLVED
 from bumpless.control.allocation.curvature import descent_curvature, residual_curvature
-from bumpless.control.allocation.kkt import kkt_residual
+from bumpless.control.allocation.kkt import residual_at_zero
 from bumpless.control.allocation.qp import solve_box_qp
 from bumpless.control.allocation.qp_active_set import solve_active_set
 from bumpless.control.allocation.wrench_map import wrench_map
-from bumpless.jit import jit
+from bumpless.jit import inline, jit
+from bumpless.jit.memory import floats
 from bumpless.physics.actuators import command_slope, to_command, to_x
 
 _BACKTRACKS = 6
 _NEAR = 1e-3  # KKT residual from which a saddle is looked for: Newton's steps towards one are wasted
 _ROOM = 1e-6  # share of its range that a command must have on both sides to count as free
+_DOUBT = 1e-9  # of a stiffness: what is added to it is known to be there whatever rounding does
 _ROUNDING = 1e-12  # share of the cost that no step can gain any more
 _HOLD = 1.0  # s for which the last command is held when demands are refused
 
@@ -67,33 +70,65 @@ def allocation_cost(Q, R, lam, tau_d, tau, x, n):
     return cost
 
 
+@inline
+def slope_and_stiffness(Q, R, lam, tau_d, tau, jacobian, x, i):
+    """(g_i, H_ii) of `normal_equations`."""
+    s, h = lam * R[i] * x[i], 0.0
+    for k in range(6):
+        weighted = jacobian[k, i] * Q[k]
+        s -= weighted * (tau_d[k] - tau[k])
+        h += weighted * jacobian[k, i]
+    return s, h + (lam * R[i] + 1e-9)
+
+
 @jit
 def normal_equations(Q, R, lam, tau_d, tau, jacobian, x, n, H, g):
     """Gauss-Newton Hessian H = G'QG + lambda R and gradient g = -G'Q r + lambda R x (halved cost).
 
     Source: Gao et al. 2026, eq. (51).
     """
+    row = floats(_N)
     for i in range(n):
-        s = lam * R[i] * x[i]
+        for j in range(_N):
+            row[j] = 0.0
         for k in range(6):
-            s -= jacobian[k, i] * Q[k] * (tau_d[k] - tau[k])
-        g[i] = s
-        for j in range(i + 1):
-            h = 0.0
-            for k in range(6):
-                h += jacobian[k, i] * Q[k] * jacobian[k, j]
-            H[i, j] = h
-            H[j, i] = h
-        H[i, i] += lam * R[i] + 1e-9
+            weighted = jacobian[k, i] * Q[k]
+            for j in range(_N):  # all of them, for the compiler takes several at a time
+                row[j] += weighted * jacobian[k, j]
+        for j in range(i):
+            H[i, j] = row[j]
+            H[j, i] = row[j]
+        g[i], H[i, i] = slope_and_stiffness(Q, R, lam, tau_d, tau, jacobian, x, i)
 
 
 @jit
-def add_curvature(model, problem, w, x, n):
-    """Add the second-order term to w.H: all of it where H stays positive definite, else what is positive."""
+def find_curvature(model, problem, w, x, n):
+    """Fill w.curvature and w.coupling with the second-order term at x (8,)."""
     p = problem
     for k in range(6):
         w.weight[k] = p.Q[k] * (p.tau_d[k] - w.tau[k])
     residual_curvature(model, x, p.u_previous, p.effectiveness, p.nu_flow, w.weight, w.curvature, w.coupling)
+
+
+@jit
+def look_around(problem, w, x, n):
+    """Fill w.g, and w.diagonal with H_ii, all of the second-order term included; True where that sum is
+    positive definite beyond doubt: prices and regularisation then outweigh what of the term is negative.
+    """
+    p, sure = problem, True
+    for i in range(n):
+        w.g[i], stiffness = slope_and_stiffness(p.Q, p.R, p.lam, p.tau_d, w.tau, w.jacobian, x, i)
+        stiffness += w.price[i]
+        w.g[i] += w.price[i] * (x[i] - w.x_previous[i])
+        w.diagonal[i] = stiffness + w.curvature[i]
+        added = 0.5 * (p.lam * p.R[i] + w.price[i])
+        sure = sure and added > _DOUBT * stiffness and added + w.curvature[i] >= 0.0 and w.coupling[i] == 0.0
+    return sure
+
+
+@jit
+def add_curvature(w, n):
+    """Add the second-order term to w.H: all of it where H stays positive definite, else what is positive."""
     least = 0.0
     for i in range(n):
         w.free[i] = 1
@@ -107,6 +142,17 @@ def add_curvature(model, problem, w, x, n):
             w.H[i, i + 1] += w.coupling[i]
             w.H[i + 1, i] += w.coupling[i]
             w.coupling[i] = 0.0
+
+
+@jit
+def assemble(problem, w, x, n):
+    """Fill w.H, w.g and w.diagonal: normal equations, prices, second-order term."""
+    p = problem
+    normal_equations(p.Q, p.R, p.lam, p.tau_d, w.tau, w.jacobian, x, n, w.H, w.g)
+    price_increments(w.price, x, w.x_previous, n, w.H, w.g)
+    add_curvature(w, n)
+    for i in range(n):
+        w.diagonal[i] = w.H[i, i]
 
 
 @jit
@@ -187,23 +233,26 @@ def allocate_mdca(handle, settings, model, problem, solution, w):
     iterations, kkt = 0, 0.0
     escapes = 0
     while True:
-        normal_equations(p.Q, p.R, p.lam, p.tau_d, w.tau, w.jacobian, x, n, w.H, w.g)
-        price_increments(w.price, x, w.x_previous, n, w.H, w.g)
-        add_curvature(model, p, w, x, n)
+        find_curvature(model, p, w, x, n)
+        convex = look_around(p, w, x, n)
+        if not convex:
+            assemble(p, w, x, n)
         for i in range(n):
-            step[i] = 0.0
             w.lb[i], w.ub[i] = lower[i] - x[i], upper[i] - x[i]
-        kkt = kkt_residual(w.H, w.g, w.lb, w.ub, step, n)
+        kkt = residual_at_zero(w.diagonal, w.g, w.lb, w.ub, n)
         if kkt <= _NEAR and escapes < settings.escapes:
             escapes += 1
-            escaped = leave_saddle(model, p, w, x, cost, n)
-            if escaped < cost:
-                cost = escaped
-                continue
+            if not convex:
+                escaped = leave_saddle(model, p, w, x, cost, n)
+                if escaped < cost:
+                    cost = escaped
+                    continue
         status = SOLVED if kkt <= settings.kkt_tolerance else BUDGET_SPENT
         if status == SOLVED or iterations >= settings.sqp_iterations:
             break
         iterations += 1
+        if convex:
+            assemble(p, w, x, n)
         for i in range(n):
             step[i] = 0.0
         if iterations == 1:

@@ -17,7 +17,14 @@ import numpy as np
 from bumpless.config.capacity import MAX_ACTUATORS
 from bumpless.contract.enums import FALLBACK, SOLVED
 from bumpless.control.allocation import osqp_native, qp_daqp, qp_python
-from bumpless.control.allocation.qp_active_set import LOWER, UPPER, admit, finish, solve_active_set
+from bumpless.control.allocation.qp_active_set import (
+    LOWER,
+    UPPER,
+    admit,
+    confirm,
+    finish,
+    solve_active_set,
+)
 from bumpless.control.allocation.qp_handle import (
     ACTIVE_SET,
     DAQP,
@@ -128,6 +135,9 @@ def _solve(handle, H, g, lb, ub, x, n):
     status = admit(H, g, lb, ub, x, n)
     if status != SOLVED:
         return status
+    if confirm(H, g, lb, ub, x, n):  # the bounds of the last cycle still hold: nothing to search
+        handle[ITERATIONS] = 1
+        return status
     state = carray(stack_ints(_N), (_N,))
     iterations = start(handle, H, g, lb, ub, x, n, state)
     if iterations < 0:
@@ -147,7 +157,8 @@ def solve_box_qp(handle, H, g, lb, ub, x, n):
     H (>=n, >=n) symmetric positive definite, g, lb, ub, x (>=n) float64, n <= MAX_ACTUATORS;
     entries beyond n are ignored. x is the start (any values) and the answer: inside its bounds and
     never NaN, whatever the status. Bounds may be equal or infinite. Never raises. Every solver's
-    answer is finished by the exact active set, so all give the same optimum.
+    answer is finished by the exact active set, so all give the same optimum; none is asked where the bounds
+    that hold at the start hold at the optimum too.
     """
     # copies of one memory layout: whatever arrays the callers have, the solvers are compiled once
     A = carray(stack_floats(_NN), (_N, _N))

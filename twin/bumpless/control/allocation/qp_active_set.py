@@ -103,9 +103,9 @@ def is_optimal(H, g, lb, ub, x, n):
 
 
 @jit
-def _newton(H, g, lb, ub, x, state, n, L, free, z):
-    """Phase 1. Returns the rounds used, negative when it did not settle (x is then untouched)."""
-    for k in range(1, NEWTON_ROUNDS + 1):
+def _newton(most, H, g, lb, ub, x, state, n, L, free, z):
+    """Phase 1, of `most` rounds. Returns those used, negative when it did not settle: x is untouched then."""
+    for k in range(1, most + 1):
         for i in range(n):
             if state[i] == LOWER or state[i] == FIXED:
                 z[i] = lb[i]
@@ -134,7 +134,7 @@ def _newton(H, g, lb, ub, x, state, n, L, free, z):
             for i in range(n):
                 x[i] = z[i]
             return k
-    return -NEWTON_ROUNDS
+    return -most
 
 
 @jit
@@ -225,6 +225,40 @@ def admit(H, g, lb, ub, x, n):
 
 
 @jit
+def guess(H, g, lb, ub, x, state, n):
+    """Fill state (int64, n): the bounds that x is at and that its gradient presses it against."""
+    for i in range(n):
+        state[i] = FREE
+        if x[i] <= lb[i] or x[i] >= ub[i]:
+            s, _ = slope(H, g, x, i, n)
+            if x[i] <= lb[i] and s >= 0.0:
+                state[i] = LOWER
+            elif x[i] >= ub[i] and s <= 0.0:
+                state[i] = UPPER
+
+
+@jit
+def confirm(H, g, lb, ub, x, n):
+    """Move a feasible start x to the optimum, where that has the bounds at which x is held; True if so.
+
+    One round of phase 1, nothing searched; elsewhere x stays the start.
+    """
+    L = carray(stack_floats(_NN), (_N, _N))
+    z, begun = carray(stack_floats(_N), (_N,)), carray(stack_floats(_N), (_N,))
+    free, state = carray(stack_ints(_N), (_N,)), carray(stack_ints(_N), (_N,))
+    guess(H, g, lb, ub, x, state, n)
+    for i in range(n):
+        begun[i] = x[i]
+        if lb[i] == ub[i]:
+            state[i] = FIXED
+    if _newton(1, H, g, lb, ub, x, state, n, L, free, z) > 0 and is_optimal(H, g, lb, ub, x, n):
+        return True
+    for i in range(n):
+        x[i] = begun[i]
+    return False
+
+
+@jit
 def finish(H, g, lb, ub, x, state, n):
     """Solve exactly from a feasible x and a guess of which bounds hold.
 
@@ -238,7 +272,7 @@ def finish(H, g, lb, ub, x, state, n):
             state[i] = FIXED
         elif (state[i] == LOWER and lb[i] == -math.inf) or (state[i] == UPPER and ub[i] == math.inf):
             state[i] = FREE
-    rounds = _newton(H, g, lb, ub, x, state, n, L, free, z)
+    rounds = _newton(NEWTON_ROUNDS, H, g, lb, ub, x, state, n, L, free, z)
     if rounds > 0 and is_optimal(H, g, lb, ub, x, n):
         return SOLVED, rounds
     rounds = abs(rounds)
@@ -261,12 +295,5 @@ def solve_active_set(H, g, lb, ub, x, n):
     if status != SOLVED:
         return status, 0
     state = carray(stack_ints(_N), (_N,))
-    for i in range(n):
-        state[i] = FREE
-        if x[i] <= lb[i] or x[i] >= ub[i]:
-            s, _ = slope(H, g, x, i, n)
-            if x[i] <= lb[i] and s >= 0.0:
-                state[i] = LOWER
-            elif x[i] >= ub[i] and s <= 0.0:
-                state[i] = UPPER
+    guess(H, g, lb, ub, x, state, n)
     return finish(H, g, lb, ub, x, state, n)

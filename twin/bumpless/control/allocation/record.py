@@ -73,6 +73,7 @@ ALLOCATION_WORK = np.dtype(
         ("ub", f8, _n),
         ("g", f8, _n),
         ("H", f8, (_n, _n)),
+        ("diagonal", f8, _n),  # of H
         ("jacobian", f8, (6, _n)),
         ("tau", f8, 6),
         ("price", f8, _n),
