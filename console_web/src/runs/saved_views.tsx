@@ -58,8 +58,15 @@ function Menu({ onClose }: { onClose: () => void }) {
       const at = event.target as Node;
       if (!panel.current?.parentElement?.contains(at)) onClose();
     };
+    const pressed = (event: KeyboardEvent): void => {
+      if (event.key === "Escape") onClose();
+    };
     addEventListener("pointerdown", outside);
-    return () => removeEventListener("pointerdown", outside);
+    addEventListener("keydown", pressed);
+    return () => {
+      removeEventListener("pointerdown", outside);
+      removeEventListener("keydown", pressed);
+    };
   }, []);
   const keep = async (): Promise<void> => {
     const answer = await keepView(name.value.trim());
@@ -72,13 +79,7 @@ function Menu({ onClose }: { onClose: () => void }) {
   };
   const replaces = runViews.value?.some((view) => view.name === name.value.trim());
   return (
-    <div
-      ref={panel}
-      class="views-menu"
-      role="group"
-      aria-label="Views of the list"
-      onKeyDown={(event) => event.key === "Escape" && onClose()}
-    >
+    <div ref={panel} class="views-menu" role="group" aria-label="Views of the list">
       <ul class="views-list" aria-label="Saved views, shared by all">
         <li>
           <button type="button" class="link" onClick={() => show(undefined)}>
@@ -114,7 +115,7 @@ function Menu({ onClose }: { onClose: () => void }) {
         <p class="muted">No view yet. Search, choose columns, and keep what you see under a name, for all.</p>
       )}
       {runViews.refusal && <p class="lost">Views cannot be read: {runViews.refusal.reason}</p>}
-      <UndoView />
+      <UndoView onDone={() => panel.current?.querySelector("button")?.focus()} />
       <RefusalIn title="Not changed." of={refusal} />
       <form
         class="views-keep"
@@ -149,12 +150,12 @@ function Menu({ onClose }: { onClose: () => void }) {
   );
 }
 
-function UndoView() {
+function UndoView({ onDone }: { onDone: () => void }) {
   if (!undone.value) return null;
   return (
     <p class="take-back" role="status">
       <span class="ellipsis">{undone.value.text}</span>
-      <button type="button" class="action small" onClick={() => void takeViewBack()}>
+      <button type="button" class="action small" onClick={() => void takeViewBack().then(onDone)}>
         <UndoIcon size={12} /> Undo
       </button>
     </p>
