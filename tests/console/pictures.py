@@ -89,7 +89,7 @@ def take(browser: Browser, running: Running, folder: Path) -> None:
     for mark in page.get_by_role("checkbox", name="to compare").all():
         mark.check()
     page.get_by_role("button", name="Compare").click()
-    expect(page.get_by_label("Figures", exact=True)).to_contain_text("Residual RMS")
+    expect(page.get_by_role("table", name="Figures")).to_contain_text("Residual RMS")
     page.get_by_label("Seconds from the moment the runs are aligned on").fill("45")
     page.wait_for_timeout(SETTLES_MS)
     save(page, folder / "compare.png")

@@ -19,7 +19,10 @@ MOST_BYTES = 64_000
 TEXT_BYTES = 2_000_000  # of topics that carry whole files
 TEXTS = frozenset({"tlm/plan", "tlm/description", "tlm/parameters"})
 # what the contract itself says to be NaN at times
-MAY_BE_NAN = {"bumpless.Target": frozenset({"measured_range_m", "bearing_deg", "elevation_deg"})}
+MAY_BE_NAN = {  # where the contract says that nobody can tell
+    "bumpless.Target": frozenset({"measured_range_m", "bearing_deg", "elevation_deg"}),
+    "bumpless.ModeExit": frozenset({"expected_s"}),
+}
 _NUMBERS = (FieldDescriptor.CPPTYPE_DOUBLE, FieldDescriptor.CPPTYPE_FLOAT)
 CLOCK_S = 1.0  # of difference, from which it is told
 
