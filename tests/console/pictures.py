@@ -94,7 +94,7 @@ def take(browser: Browser, running: Running, folder: Path) -> None:
     page.wait_for_timeout(SETTLES_MS)
     save(page, folder / "compare.png")
     show(page, "System")
-    expect(page.get_by_role("main")).to_contain_text("start")
+    expect(page.get_by_role("main")).to_contain_text("Session that speaks")
     save(page, folder / "system.png")
     page.goto(f"{running.url}/help/")
     save(page, folder / "help.png")
