@@ -62,7 +62,7 @@ def test_a_silent_console_makes_the_vehicle_do_what_its_file_declares(
 def test_when_nobody_is_in_control_it_does_what_its_file_declares(
     bus: Listener, endpoint: str, tmp_path: Path, reaction: str, phase: int
 ) -> None:
-    """Protects: a server that goes on beating for an operator who is gone does not hide that from the vehicle."""
+    """Protects: a server that goes on beating for an operator who is gone hides nothing from the vehicle."""
     beat = keys.heartbeat("ts100")
     with light_node(endpoint, "realtime", "", str(with_failsafe(tmp_path, reaction, "holder_lost"))):
         bus.until_alive()

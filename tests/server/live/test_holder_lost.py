@@ -1,4 +1,4 @@
-"""A browser that holds control is closed in flight: the vehicle hears of it and does what its file declares."""
+"""A browser that holds control is closed in flight: the vehicle hears of it and does what it declares."""
 
 import sys
 from collections.abc import Callable, Iterator
