@@ -68,8 +68,15 @@ class Audit:
             if isinstance(entry, dict):
                 self._recent.append(entry)
 
-    def note(self, verb: str, author: str, address: str, details: Mapping[str, object]) -> None:
-        """Note what was done here, without the vehicle: a log-in, an account, control."""
+    def note(
+        self,
+        verb: str,
+        author: str,
+        address: str,
+        details: Mapping[str, object],
+        refused: str | None = None,
+    ) -> None:
+        """Note what was done here, without the vehicle: a log-in, a mission, a preset. `refused`: why not."""
         self._keep(
             {
                 "id": secrets.token_urlsafe(12),
@@ -77,8 +84,8 @@ class Audit:
                 "author": author,
                 "address": address,
                 "details": dict(details),
-                "answer": "accepted",
-                "said": "",
+                "answer": "accepted" if refused is None else "refused",
+                "said": refused or "",
                 "took_s": 0.0,
             }
         )

@@ -12,6 +12,8 @@ import time
 from pathlib import Path
 from typing import Any
 
+from bumpless.chart import DepthGrid, to_bytes
+from bumpless.config.mission import parse_mission
 from bumpless.config.vehicle import Vehicle, VehicleError, parse_vehicle
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.version import software_version
@@ -109,6 +111,7 @@ class Console:
             settings.recorder_queue_messages,
             settings.recorder_queue_bytes,
             self.budget,
+            depths=self._depths_of,
         )
         self.alarms = Watch(
             lambda: read_limits(self.data.limits / f"{settings.vehicle_id}.toml"),
@@ -316,6 +319,7 @@ class Console:
     def _control(self, state: pb.ControlHolder) -> None:
         payload = state.SerializeToString()
         self._tell(Sample(CONTROL, state.DESCRIPTOR.full_name, payload, from_vehicle=False))
+        self._beat()  # who takes control and starts at once is known to the vehicle before the start
 
     def _audited(self, entry: dict[str, Any]) -> None:
         """Each line of the audit also goes into the log of the run that it is about."""
@@ -343,6 +347,15 @@ class Console:
             self.catalogue.add(path)
         except Exception:
             log.exception("%s could not be indexed", path)
+
+    def _depths_of(self, plan: pb.Plan) -> bytes | None:
+        """The depth grid that a mission being flown names, as it is stored now: the vehicle has no charts."""
+        try:
+            mission = self.charts.laid(parse_mission(plan.mission_yaml, plan.file_name, self.vehicle()))
+        except Exception as error:  # a run is recorded with or without a floor
+            log.warning("the depths under %s cannot be read: %s", printable(plan.file_name), error)
+            return None
+        return to_bytes(mission.depth_grid) if isinstance(mission.depth_grid, DepthGrid) else None
 
     def _prune(self) -> bool:
         """Delete the oldest complete run; what was interrupted may be all there is of an accident."""

@@ -146,3 +146,26 @@ def test_a_base_map_is_fetched_only_where_an_address_is_set(planned: Page, serve
     server.reply("GET", "charts/tiles", tiles)
     with planned.expect_request(re.compile(r"/tiles/19/\d+/\d+\.png")):
         planned.reload()
+
+
+def test_a_chart_is_kept_to_one_mission_and_taken_into_another(planned: Page, server: ContractServer) -> None:
+    """Protects: one mission's overlays do not lie beneath every other, and none is lost from sight."""
+    mine = {**chart("bay.asc", "depths"), "missions": ["harbour"]}
+    other = {**chart("pier.geojson", "features"), "missions": ["tank"]}
+    server.reply("GET", "charts", [chart("bay.asc", "depths"), other])
+    for each in ("bay.asc", "pier.geojson"):
+        server.reply("PUT", f"charts/{each}/owners", mine)
+        server.reply("GET", f"charts/{each}/shown", shown(each, "features"))
+    reopened(planned, server, TEXT)
+    planned.get_by_role("button", name="Charts").click()
+    own = planned.get_by_role("button", name="This mission", exact=True)
+    expect(own).to_have_count(1)  # the other mission's chart is not beneath this one
+    expect(own).to_have_attribute("aria-pressed", "false")
+    server.reply("GET", "charts", [mine, other])
+    own.click()
+    assert server.wait_for_call("PUT", "charts/bay.asc/owners").json() == {"missions": ["harbour"]}
+    expect(own).to_have_attribute("aria-pressed", "true")
+    planned.get_by_text("Of other missions").click()
+    planned.get_by_role("button", name="Here too").click()
+    taken = server.wait_for_call("PUT", "charts/pier.geojson/owners").json()
+    assert taken == {"missions": ["tank", "harbour"]}

@@ -6,8 +6,10 @@ from pathlib import Path
 import numpy as np
 
 import bumpless
-from bumpless.chart import DepthGrid, with_floor
+from bumpless.chart import DepthGrid, to_bytes, with_floor
 from bumpless.config.mission import missions_folder, parse_mission
+from bumpless.runs.summary import summarise
+from tests.runs.flights import on_bus, record
 
 TEXT = (missions_folder() / "docking.yaml").read_text().replace("duration_s: 90", "duration_s: 20")
 TEXT = TEXT.split("\nenvironment:")[0] + "\n"
@@ -23,6 +25,18 @@ def test_who_flies_into_the_floor_has_collided_and_its_log_says_so_too(tmp_path:
     assert bumpless.open_run(tmp_path / "shoal.mcap").outcome == run.outcome
     deep = DepthGrid(depth + 20.0, 100.0, -100.0, 200.0, 200.0, False)
     assert bumpless.fly(with_floor(mission, deep)).outcome.ending == "time_over"
+
+
+def test_a_live_run_is_judged_by_the_grid_that_its_recorder_knows(tmp_path: Path) -> None:
+    """Protects: a live vehicle has no charts, so its run that had touched the shoal was called time over."""
+    depth = np.full((2, 2), 2.1, np.float32)
+    grid = to_bytes(DepthGrid(depth, 100.0, -100.0, 200.0, 200.0, False))
+    bus = on_bus(bumpless.fly(parse_mission(TEXT + "sea_floor: {clearance_m: 0.5, grid: shoal}\n")))
+    for name, known in {"known": grid, "unknown": None}.items():
+        record(tmp_path / f"{name}.mcap", bus, depths=lambda _, known=known: known)
+    told = {name: summarise(tmp_path / f"{name}.mcap").outcome for name in ("known", "unknown")}
+    assert told == {"known": "collided", "unknown": "time_over"}
+    assert bumpless.open_run(tmp_path / "known.mcap").outcome.ending == "collided"
 
 
 def test_a_floor_changes_no_flight() -> None:

@@ -32,10 +32,10 @@ class Now:
         return [lost for lost in found if lost is not None]
 
 
-def with_failsafe(folder: Path, reaction: str, cause: str = "heartbeat_lost") -> Path:
-    """A vehicle file like ts100's that acts after half a second without whom `cause` names."""
+def with_failsafe(folder: Path, reaction: str, cause: str = "heartbeat_lost", limit_s: float = 0.5) -> Path:
+    """A vehicle file like ts100's that acts after so long without whom `cause` names."""
     path = folder / "ts100.toml"
-    table = f'\n[failsafe]\n{cause}_s = 0.5\n{cause} = "{reaction}"\n'
+    table = f'\n[failsafe]\n{cause}_s = {limit_s}\n{cause} = "{reaction}"\n'
     path.write_text(load_vehicle("ts100").text + table)
     return path
 

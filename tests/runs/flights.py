@@ -12,7 +12,7 @@ from bumpless.runs.flown import Flown
 from bumpless.runs.names import COMPLETE
 from bumpless.runs.names import MISSION as MISSION_STATUS
 from bumpless.runs.view import View
-from bumpless.runs.writer import RunWriter
+from bumpless.runs.writer import Beside, RunWriter
 from bumpless.sim.twin import Result
 
 MISSION = "docking.yaml"
@@ -44,16 +44,21 @@ class Flight:
         return source.result
 
 
+def on_bus(run: Run) -> list[Told]:
+    """What the bus carries while a run is flown live."""
+    source = run._source
+    assert isinstance(source, Flown)
+    return [
+        (time_ns, topic, message.DESCRIPTOR.full_name, encoded(message))
+        for time_ns, topic, message in source.timed()
+    ]
+
+
 def make_flight(folder: Path, views: Sequence[View] = ()) -> Flight:
     """The docking mission's first 60 s: all three modes."""
     text = load_mission("docking").text.replace("duration_s: 90", "duration_s: 60")
     run = fly(parse_mission(text, MISSION), started_ns=START_NS)
-    source = run._source
-    assert isinstance(source, Flown)
-    bus = [
-        (time_ns, topic, message.DESCRIPTOR.full_name, encoded(message))
-        for time_ns, topic, message in source.timed()
-    ]
+    bus = on_bus(run)
     path = folder / f"{run.info.id}.mcap"
     record(path, bus, views=views, delay_ns=1000, flush_every=FLUSH_EVERY)
     return Flight(run, bus, path)
@@ -65,14 +70,19 @@ def begin(path: Path, views: Sequence[View] = (), run: str = "run-1", **status: 
 
 
 def record(
-    path: Path, bus: Iterable[Told], views: Sequence[View] = (), delay_ns: int = 0, flush_every: int = 10**9
+    path: Path,
+    bus: Iterable[Told],
+    views: Sequence[View] = (),
+    delay_ns: int = 0,
+    flush_every: int = 10**9,
+    depths: Beside = lambda plan: None,
 ) -> None:
     """Record messages of the bus as a live recorder would."""
     bus = list(bus)
     first = next((payload for _, topic, _, payload in bus if topic == MISSION_STATUS), b"")
     status = pb.MissionStatus.FromString(first)
     status.run_id = status.run_id or "run-1"
-    writer = RunWriter(path, status, path.stem, views)
+    writer = RunWriter(path, status, path.stem, views, depths=depths)
     for i, (time_ns, topic, schema, payload) in enumerate(bus):
         writer.write(topic, schema, payload, time_ns + delay_ns)
         if topic == MISSION_STATUS:

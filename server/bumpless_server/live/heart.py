@@ -1,4 +1,4 @@
-"""Says to the vehicle, as long as this server works, that a console is there, and if somebody holds control."""
+"""Says to the vehicle, as long as this server works, that a console is there, and who holds control too."""
 
 import threading
 from collections.abc import Callable

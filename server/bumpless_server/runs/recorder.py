@@ -23,7 +23,7 @@ from bumpless.runs.info import ending_of
 from bumpless.runs.names import COMPLETE, CONTEXT, DESCRIPTION, ENDING, EVENT, INTERRUPTED, MISSION, PLAN
 from bumpless.runs.pieces import piece_name
 from bumpless.runs.view import View
-from bumpless.runs.writer import RunWriter
+from bumpless.runs.writer import Beside, RunWriter
 from bumpless_server.live.boxes import BoundedQueue
 from bumpless_server.live.sample import Sample
 from bumpless_server.live.worker import Worker
@@ -52,7 +52,7 @@ class _LinkLost:
 class Recorder:
     """Writes runs into `folder`. `closed(path)` is called after each file's end, on this thread.
 
-    `views()` makes the converters for one run.
+    `views()` makes the converters for one run; `depths` finds the depth grid that its plan names.
     """
 
     def __init__(
@@ -65,8 +65,10 @@ class Recorder:
         queue_bytes: int = 64_000_000,
         budget: DiskBudget | None = None,
         patience_s: float = FILLED_S,
+        depths: Beside = lambda plan: None,
     ) -> None:
         self._folder, self._say, self._closed, self._views = folder, say, closed, views
+        self._depths = depths
         self._queue: BoundedQueue[Sample | _LinkLost] = BoundedQueue(
             queue_messages,
             queue_bytes,
@@ -282,7 +284,9 @@ class Recorder:
         self._dropped_before = self._queue.dropped
         self._speaker = told.session
         name = free_id(self._folder, status.run_id)
-        self._run = run = RunWriter(self._folder / f"{name}{ENDING}", status, name, self._views())
+        self._run = run = RunWriter(
+            self._folder / f"{name}{ENDING}", status, name, self._views(), depths=self._depths
+        )
         # by our clock, which all log times are told by; the vehicle's own may be hours off
         began_ns = told.receive_ns - round(status.elapsed_s * 1e9)
         for sample in self._context.values():

@@ -15,6 +15,7 @@ from bumpless_server.web.auth import Auth, session_cookie
 from bumpless_server.web.body_limit import BodyLimit
 from bumpless_server.web.guard import Guard
 from bumpless_server.web.guesses import Guesses
+from bumpless_server.web.ledger import Ledger
 from bumpless_server.web.routes import (
     alarms,
     charts,
@@ -104,6 +105,7 @@ def create_app(settings: Settings, console: Console | None = None) -> FastAPI:
     app.state.console = console
     app.state.auth = auth = Auth(settings, console.data.secret(), console.accounts, console.sessions)
     app.state.guesses = guesses = Guesses(console.tally.note)
+    app.add_middleware(Ledger, audit=console.audit)
     app.add_middleware(
         BodyLimit, max_bytes=settings.upload_bytes, larger={"/api/runs-import": settings.import_bytes}
     )

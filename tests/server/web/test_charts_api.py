@@ -66,6 +66,11 @@ def test_charts_belong_to_the_site_or_to_missions(alone: Running) -> None:
     assert names == ["site"]
     again = _put(alone, "mine", GEOJSON, "mine.geojson")
     assert again["missions"] == ["docking"]  # a new file of an old chart stays where it belongs
+    alone.http.post("/api/missions/docking/duplicate", json={"to": "ours"}).raise_for_status()
+    alone.http.put("/api/charts/mine/owners", json={"missions": ["docking", "ours"]}).raise_for_status()
+    alone.http.post("/api/missions/ours/rename", json={"to": "theirs"}).raise_for_status()
+    (mine,) = [c for c in alone.http.get("/api/charts").json() if c["name"] == "mine"]
+    assert mine["missions"] == ["docking", "theirs"]  # it goes along with its mission's name
     assert alone.http.delete("/api/charts/mine").status_code == 204
     assert alone.http.get("/api/charts/mine/file").status_code == 404
 

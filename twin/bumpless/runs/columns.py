@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from google.protobuf.message import DecodeError
 
+from bumpless.chart import NotAGrid, from_bytes, with_floor
 from bumpless.config.mission import Mission, parse_mission
 from bumpless.config.problems import ProblemsError
 from bumpless.config.vehicle import Vehicle, VehicleError, parse_vehicle
@@ -93,18 +94,30 @@ def read_columns(path: Path) -> RecordedColumns:
     return RecordedColumns(_joined(columns), vehicle, status, plan)
 
 
-def figures_of_file(path: Path, run_id: str, state: str, phase: int, reason: str = "") -> Figures | None:
+def over_floor(mission: Mission | None, grid: bytes | None) -> Mission | None:
+    """The mission over the depth grid that its log carries; as it is without one that can be read."""
+    if mission is None or grid is None:
+        return mission
+    try:
+        return with_floor(mission, from_bytes(grid))
+    except NotAGrid:
+        return mission
+
+
+def figures_of_file(
+    path: Path, run_id: str, state: str, phase: int, reason: str = "", grid: bytes | None = None
+) -> Figures | None:
     """Figures of a log, also of one that is still being written (flush it first) or was cut.
 
-    `state`, `phase` and `reason` are the run's last. None when the file holds no cycle of a mission or no
-    usable vehicle description. Raises ValueError when it is not MCAP.
+    `state`, `phase` and `reason` are the run's last, `grid` its depth grid. None when the file holds no cycle
+    of a mission or no usable vehicle description. Raises ValueError when it is not MCAP.
     """
     data = read_columns(path)
     if data.vehicle is None or len(data.columns) == 0:
         return None
     how = how_ended(state, phase)
     why = why_ended(how, reason)
-    return figures_of(data.columns, data.vehicle, data.mission, how, why, run_id=run_id)
+    return figures_of(data.columns, data.vehicle, over_floor(data.mission, grid), how, why, run_id=run_id)
 
 
 def _vehicle(message: pb.VehicleDescription) -> Vehicle | None:

@@ -8,7 +8,6 @@ from pathlib import Path
 
 from google.protobuf.message import Message
 
-from bumpless.chart import NotAGrid, from_bytes, with_floor
 from bumpless.config.mission import Mission
 from bumpless.config.parameters import Parameters, as_dict, default_parameters, with_overrides
 from bumpless.config.problems import ProblemsError
@@ -18,7 +17,7 @@ from bumpless.contract.keys import SAID
 from bumpless.contract.messages import decoded
 from bumpless.metrics import Columns, Figures, figures_of
 from bumpless.runs import names
-from bumpless.runs.columns import RecordedColumns, read_columns
+from bumpless.runs.columns import RecordedColumns, over_floor, read_columns
 from bumpless.runs.figures import how_ended, why_ended
 from bumpless.runs.info import RunInfo, run_info
 from bumpless.runs.read import log_messages
@@ -81,12 +80,7 @@ class Recorded:
     def mission(self) -> Mission | None:
         """The mission as the vehicle flew it; None when the file has none that can be read."""
         mission, grid = self._columns.mission, self._records.attachments.get(names.SEA_FLOOR)
-        if mission is None or grid is None:
-            return mission
-        try:
-            return with_floor(mission, from_bytes(grid))
-        except NotAGrid:
-            return mission
+        return over_floor(mission, grid)
 
     @cached_property
     def parameters(self) -> Parameters | None:

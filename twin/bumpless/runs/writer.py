@@ -2,7 +2,7 @@
 
 import contextlib
 import logging
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -22,6 +22,7 @@ from bumpless.runs.view import View, Views
 
 log = logging.getLogger(__name__)
 
+Beside = Callable[[pb.Plan], bytes | None]  # the depth grid that a plan names, where it is known
 _Held = tuple[str, str, bytes, int, int, Message | None]
 
 
@@ -30,7 +31,7 @@ class RunWriter:
 
     The file's first record identifies the run by what the vehicle says of itself, its parameters and its
     plan. Until all three are heard, or until the first `flush`, messages are held back. `durable`: see
-    `McapFile`.
+    `McapFile`. `depths` finds the depth grid that the plan names: the vehicle has no charts.
     """
 
     def __init__(
@@ -40,6 +41,7 @@ class RunWriter:
         run: str | None = None,
         views: Sequence[View] = (),
         durable: bool = True,
+        depths: Beside = lambda plan: None,
     ) -> None:
         self.id = run or status.run_id
         self.run_id = status.run_id
@@ -49,7 +51,8 @@ class RunWriter:
         self.flushed_bytes = 0
         self.outcome: pb.Event | None = None  # once finished, where the run could be judged
         self._first_status = status
-        self._views = Views(views)
+        self._views, self._depths = Views(views), depths
+        self._grid: bytes | None = None
         self._said: dict[str, Message] = {}  # CONTEXT by topic
         self._held: list[_Held] | None = []
         self._end_ns = 0
@@ -100,7 +103,7 @@ class RunWriter:
         try:
             self.flush()
             if figures is None:
-                figures = _figures(self.path, self.run_id, state, self.status, reason)
+                figures = _figures(self.path, self.run_id, state, self.status, reason, self._grid)
             if figures is not None:
                 self.outcome = outcome_event(figures[1], self.status)
                 payload, kind = encoded(self.outcome), self.outcome.DESCRIPTOR.full_name
@@ -177,6 +180,9 @@ class RunWriter:
         if topic == PLAN:
             name = Path(said.file_name or "mission.yaml").name
             self._file.attach(name, names.YAML, said.mission_yaml.encode(), log_ns)
+            self._grid = self._depths(said)
+            if self._grid is not None:
+                self._file.attach(names.SEA_FLOOR, names.BYTES, self._grid, log_ns)
         elif topic == DESCRIPTION:
             self._file.attach(f"{said.vehicle_id}.toml", names.TOML, said.vehicle_toml.encode(), log_ns)
         elif topic == PARAMETERS_STATUS:
@@ -190,10 +196,12 @@ def _is_other_plan(said: Message, status: pb.MissionStatus) -> bool:
     return isinstance(said, pb.Plan) and said.sha256 != status.mission_sha256
 
 
-def _figures(path: Path, run_id: str, state: str, status: pb.MissionStatus, reason: str) -> Figures | None:
+def _figures(
+    path: Path, run_id: str, state: str, status: pb.MissionStatus, reason: str, grid: bytes | None
+) -> Figures | None:
     """The figures of a file; None without. A run is worth keeping without its figures."""
     try:
-        return figures_of_file(path, run_id, state, status.phase, reason)
+        return figures_of_file(path, run_id, state, status.phase, reason, grid)
     except Exception:
         log.exception("the metrics of %s could not be computed", path)
         return None

@@ -5,6 +5,7 @@ import type { Refusal } from "../../api/http";
 import { Resource } from "../../api/resource";
 import type { components } from "../../gen/api";
 import { originOf } from "../model/earth";
+import { name } from "../model/library";
 import { mission } from "../model/plan";
 
 type Schemas = components["schemas"];
@@ -22,6 +23,10 @@ export interface Drawn {
 
 const KEY = "bumpless.plan.charts.hidden";
 
+function isHere({ missions }: ChartSummary, open: string): boolean {
+  return missions.length === 0 || missions.includes(open);
+}
+
 function kept(): string[] {
   try {
     const found: unknown = JSON.parse(localStorage.getItem(KEY) ?? "[]");
@@ -32,6 +37,12 @@ function kept(): string[] {
 }
 
 export const charts = new Resource(() => ask("get", "/api/charts"));
+/** The site's, and those of the open mission. */
+export const chartsHere = computed(() => charts.value?.filter((chart) => isHere(chart, name.value)));
+/** Those that belong to other missions. */
+export const chartsElsewhere = computed(() =>
+  (charts.value ?? []).filter((chart) => !isHere(chart, name.value)),
+);
 export const hidden = signal<readonly string[]>(kept());
 export const chartTrouble = signal<Refusal | undefined>(undefined);
 const got = signal<ReadonlyMap<string, Drawn>>(new Map());
@@ -72,7 +83,7 @@ let turn = 0;
 export function followCharts(): () => void {
   void charts.refresh();
   return effect(() => {
-    const list = charts.value;
+    const list = chartsHere.value;
     const origin = JSON.parse(place.value) as ReturnType<typeof originOf> | null;
     if (list) untracked(() => void load(list, origin ?? undefined));
   });
@@ -126,6 +137,13 @@ export async function addChart({ file, corners, local }: Given): Promise<boolean
   chartTrouble.value = answer.ok ? undefined : answer;
   await charts.refresh();
   return answer.ok;
+}
+
+/** Give a chart to this mission alone, or to the site again. */
+export async function ownChart(name: string, missions: string[]): Promise<void> {
+  const answer = await ask("put", "/api/charts/{name}/owners", { path: { name }, body: { missions } });
+  chartTrouble.value = answer.ok ? undefined : answer;
+  await charts.refresh();
 }
 
 export async function removeChart(name: string): Promise<void> {

@@ -5,14 +5,18 @@ import { bytes } from "../../lib/format";
 import { TrashIcon } from "../../ui/icons";
 import { RefusalIn } from "../../ui/refusal";
 import { originOf } from "../model/earth";
+import { name } from "../model/library";
 import { edit, mission } from "../model/plan";
 import {
   addChart,
   type ChartSummary,
   charts,
+  chartsElsewhere,
+  chartsHere,
   chartTrouble,
   floorChart,
   hidden,
+  ownChart,
   removeChart,
   setHidden,
 } from "./charts";
@@ -27,7 +31,8 @@ const PICTURE = /\.(png|jpe?g|webp)$/i;
 const CLEARANCE_M = 1;
 
 export function ChartsPanel() {
-  const list = charts.value ?? [];
+  const list = chartsHere.value ?? [];
+  const elsewhere = chartsElsewhere.value;
   return (
     <div class="form">
       <h3 class="form-title">Charts beneath the plan</h3>
@@ -44,6 +49,29 @@ export function ChartsPanel() {
           <Chart key={chart.name} chart={chart} />
         ))}
       </ul>
+      {elsewhere.length > 0 && (
+        <details class="field-block">
+          <summary>
+            Of other missions <span class="muted num">{elsewhere.length}</span>
+          </summary>
+          <ul class="charts">
+            {elsewhere.map((chart) => (
+              <li key={chart.name} class="chart-row">
+                <span class="ellipsis grow" title={`Of ${chart.missions.join(", ")}`}>
+                  {chart.title}
+                </span>
+                <button
+                  type="button"
+                  class="action small"
+                  onClick={() => void ownChart(chart.name, [...chart.missions, name.peek()])}
+                >
+                  Here too
+                </button>
+              </li>
+            ))}
+          </ul>
+        </details>
+      )}
       <Add />
     </div>
   );
@@ -77,6 +105,19 @@ function Chart({ chart }: { chart: ChartSummary }) {
           Sea floor
         </button>
       )}
+      <button
+        type="button"
+        class="action small"
+        aria-pressed={chart.missions.length > 0}
+        title={
+          chart.missions.length > 0
+            ? `It belongs to ${chart.missions.join(", ")}; press to show it in every mission`
+            : "It belongs to the site and lies beneath every mission; press to keep it to this one"
+        }
+        onClick={() => void ownChart(chart.name, chart.missions.length > 0 ? [] : [name.peek()])}
+      >
+        This mission
+      </button>
       <button
         type="button"
         class="quiet tiny"

@@ -175,10 +175,10 @@ function MapTools() {
       >
         {dockUp.value ? "North up" : "Dock up"}
       </button>
-      <button type="button" class="action small" aria-label="Zoom out" onClick={() => zoom(1 / 1.4)}>
+      <button type="button" class="action small zoom" aria-label="Zoom out" onClick={() => zoom(1 / 1.4)}>
         −
       </button>
-      <button type="button" class="action small" aria-label="Zoom in" onClick={() => zoom(1.4)}>
+      <button type="button" class="action small zoom" aria-label="Zoom in" onClick={() => zoom(1.4)}>
         +
       </button>
       <button type="button" class="action small" title="The whole plan in view (F)" onClick={showAll}>

@@ -3,6 +3,7 @@ import { colour, font } from "../../lib/theme";
 import { text } from "../map/paint/words";
 import { along, type Ned, niceStep, observationPoint } from "../model/geometry";
 import { outlineThing } from "../model/things";
+import { paintFunnel } from "./funnel";
 import { dockSize, floorOf, type SpaceScene } from "./scene";
 import { type Ctx, type Face, faces, way } from "./strokes";
 import { paintTerrain } from "./terrain";
@@ -30,6 +31,7 @@ export function paintSpace(c: Ctx, s: SpaceScene): void {
     c.setLineDash([]);
   }
   if (s.picked) way(c, s.lens, trackOf(s.picked), "--alarm", 2);
+  if (s.view.dock && s.figures) paintFunnel(c, s, s.view.dock, s.figures);
   if (s.view.dock) paintDock(c, s, s.view.dock);
   paintHull(
     c,

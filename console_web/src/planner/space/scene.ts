@@ -1,6 +1,7 @@
 // What the plan in space shows.
 import type { ChartShown } from "../charts/charts";
 import type { Flight, Nominal } from "../fly/foresight";
+import type { Figures } from "../map/figures";
 import type { Size } from "../map/viewport";
 import type { Ned } from "../model/geometry";
 import { type MissionView, table } from "../model/mission";
@@ -22,6 +23,8 @@ export interface SpaceScene {
   vehicle: { at: Ned; heading: number } | undefined;
   /** The depth grid that is looked at. */
   depths: ChartShown | undefined;
+  /** Sight and approach of the vehicle; undefined until it is known. */
+  figures: Figures | undefined;
   /** Length of the vehicle, m. */
   length: number;
 }

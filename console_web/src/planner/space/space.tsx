@@ -5,7 +5,7 @@ import { depths } from "../charts/charts";
 import { plan } from "../fly/forecast";
 import { forecast as variant } from "../fly/what_if";
 import { onPlanKey } from "../keys";
-import { vehicle } from "../map/figures";
+import { figures, vehicle } from "../map/figures";
 import { flownHere } from "../map/flown_here";
 import { Surface } from "../map/surface";
 import type { Size } from "../map/viewport";
@@ -35,6 +35,7 @@ function scene(extent: Size): SpaceScene {
     stale: !plan.current.value || dragging.value,
     vehicle: here && { at: [here.north, here.east, here.depth], heading: here.heading },
     depths: depths.value,
+    figures: figures.value,
     length: vehicle.value?.length_m ?? 1,
   };
 }

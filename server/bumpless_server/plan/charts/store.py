@@ -120,6 +120,12 @@ class Charts:
             self._write(chart, self._member(name, _ORIGINAL), self._member(name, _CONTENT))
             return chart
 
+    def mission_renamed(self, name: str, to: str) -> None:
+        """A mission has another name: what belonged to it still does."""
+        for chart in self.all():
+            if name in chart.missions:
+                self.own(chart.name, None, tuple(to if one == name else one for one in chart.missions))
+
     def delete(self, name: str) -> None:
         """Remove a chart. Raises NoChart."""
         path = self._path(self.get(name).name)

@@ -12,6 +12,7 @@ from bumpless_server.plan.charts.shown import NotPlaced, shown
 from bumpless_server.web.answers.charts import ChartShown, ChartSummary, ChartTiles
 from bumpless_server.web.answers.refusal import REFUSALS
 from bumpless_server.web.errors import Refusal
+from bumpless_server.web.ledger import Done
 from bumpless_server.web.routes import Served
 
 router = APIRouter(prefix="/api", responses=REFUSALS)
@@ -72,7 +73,7 @@ def tiles(console: Served) -> ChartTiles:
 
 @router.put("/charts/{name}", openapi_extra=_BYTES)
 async def keep(
-    console: Served, request: Request, name: str, placed: Annotated[Placed, Query()]
+    console: Served, deed: Done, request: Request, name: str, placed: Annotated[Placed, Query()]
 ) -> ChartSummary:
     """Read a chart's bytes and keep them, new or in place of the one of that name.
 
@@ -86,14 +87,18 @@ async def keep(
         chart = await run_in_threadpool(console.charts.put, name, data, placed.file_name, said)
     except NotAChart as error:
         raise Refusal(422, f"{placed.file_name} {error}") from error
+    deed.tell(file=placed.file_name, kind=chart.kind, bytes=len(data))
     return ChartSummary.of(chart)
 
 
 @router.put("/charts/{name}/owners")
-def own(console: Served, name: str, wanted: Owners = Body(...)) -> ChartSummary:
+def own(console: Served, deed: Done, name: str, wanted: Owners = Body(...)) -> ChartSummary:
     """Give a chart a title, or to the missions that it belongs to."""
     missions = None if wanted.missions is None else tuple(dict.fromkeys(wanted.missions))
-    return ChartSummary.of(console.charts.own(name, wanted.title, missions))
+    before = console.charts.get(name)
+    chart = console.charts.own(name, wanted.title, missions)
+    deed.tell(title=[before.title, chart.title], missions=[list(before.missions), list(chart.missions)])
+    return ChartSummary.of(chart)
 
 
 @router.get("/charts/{name}/file", response_class=Response)

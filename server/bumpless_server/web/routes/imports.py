@@ -16,8 +16,8 @@ from bumpless_server.web.answers.contract import Answer
 from bumpless_server.web.answers.refusal import REFUSALS
 from bumpless_server.web.answers.runs import RunAnswer
 from bumpless_server.web.errors import Refusal
+from bumpless_server.web.ledger import Done
 from bumpless_server.web.routes import Served
-from bumpless_server.web.routes.noting import Noting
 from bumpless_server.web.routes.runs import one
 
 router = APIRouter(prefix="/api", responses=REFUSALS)
@@ -54,7 +54,7 @@ def disk(console: Served) -> DiskUse:
     openapi_extra={"requestBody": {"content": {"application/octet-stream": {}}, "required": True}},
 )
 async def bring_in(
-    console: Served, noting: Noting, request: Request, name: Annotated[str, Query(max_length=200)]
+    console: Served, deed: Done, request: Request, name: Annotated[str, Query(max_length=200)]
 ) -> RunAnswer:
     """Take an MCAP file with our messages into the list, also another recorder's, or one that was cut off."""
     stem = name.removesuffix(ENDING)
@@ -69,11 +69,11 @@ async def bring_in(
                 async for part in request.stream():
                     await run_in_threadpool(file.write, part)
             run = await run_in_threadpool(lambda: _taken(console, arrived, stem))
-            await run_in_threadpool(lambda: noting.note("import_run", run=run, file=name))
     except ErrandsBusy as error:
         raise Refusal(503, str(error)) from error
     except NotOurs as error:
         raise Refusal(422, f"{name} cannot be taken in: {error}") from error
+    deed.tell(file=name, run=run)
     return await run_in_threadpool(lambda: one(console, run))
 
 

@@ -1,9 +1,12 @@
 """The mission library: names, versions, drafts, tags, the bin and templates."""
 
+from dataclasses import asdict
+
 from fastapi import APIRouter, Body, Request, Response
 from fastapi.concurrency import run_in_threadpool
 from pydantic import BaseModel, ConfigDict, Field
 
+from bumpless_server.live.tuning import changes
 from bumpless_server.plan.missions import MissionFile
 from bumpless_server.plan.templates import templates
 from bumpless_server.web.answers.library import (
@@ -17,6 +20,7 @@ from bumpless_server.web.answers.library import (
 from bumpless_server.web.answers.missions import MissionDetail
 from bumpless_server.web.answers.refusal import REFUSALS
 from bumpless_server.web.errors import Refusal
+from bumpless_server.web.ledger import Done
 from bumpless_server.web.routes import Served
 
 router = APIRouter(prefix="/api", responses=REFUSALS)
@@ -44,41 +48,54 @@ def _told(console: Served, file: MissionFile) -> MissionDetail:
 
 
 @router.put("/missions/{name}", openapi_extra=_RAW)
-async def save(console: Served, request: Request, name: str, base: str | None = None) -> MissionDetail:
+async def save(
+    console: Served, deed: Done, request: Request, name: str, base: str | None = None
+) -> MissionDetail:
     """Check and keep a mission's bytes as they are, new or in place of its own; the version before stays in
     its history.
 
     base: hash of the file that was edited; when it is another by now, nothing is saved (409).
     """
+    before = console.missions.get(name)
     file = await run_in_threadpool(console.library.save, name, await request.body(), True, base)
+    deed.tell(name=file.name, sha256=[before.sha256 if before else None, file.sha256])
     return _told(console, file)
 
 
 @router.delete("/missions/{name}")
-def remove(console: Served, name: str) -> BinnedAnswer:
+def remove(console: Served, deed: Done, name: str) -> BinnedAnswer:
     """Put an uploaded mission into the bin; its id takes it out again."""
-    return BinnedAnswer.of(console.library.delete(name))
+    before, binned = console.missions.get(name), console.library.delete(name)
+    deed.tell(sha256=[before.sha256 if before else None, None], bin=binned.id)
+    return BinnedAnswer.of(binned)
 
 
 @router.post("/missions/{name}/rename")
-def rename(console: Served, name: str, wanted: To = Body(...)) -> MissionDetail:
+def rename(console: Served, deed: Done, name: str, wanted: To = Body(...)) -> MissionDetail:
     """Give an uploaded mission another file name; history, draft and tags go with it."""
-    return _told(console, console.library.rename(name, wanted.to))
+    deed.tell(name=[name, wanted.to])
+    before = console.library.get(name).name
+    file = console.library.rename(name, wanted.to)
+    console.charts.mission_renamed(before, file.name)
+    return _told(console, file)
 
 
 @router.post("/missions/{name}/duplicate", status_code=201)
-def duplicate(console: Served, name: str, wanted: To = Body(...)) -> MissionDetail:
+def duplicate(console: Served, deed: Done, name: str, wanted: To = Body(...)) -> MissionDetail:
     """A copy of a mission under another file name."""
+    deed.tell(to=wanted.to)
     return _told(console, console.library.duplicate(name, wanted.to))
 
 
 @router.put("/missions/{name}/marks")
-def mark(console: Served, name: str, wanted: Marked = Body(...)) -> MissionDetail:
+def mark(console: Served, deed: Done, name: str, wanted: Marked = Body(...)) -> MissionDetail:
     """Tag a mission, or put it away (archived) and take it out again; its bytes stay as they are."""
     tags = None
     if wanted.tags is not None:
         tags = tuple(dict.fromkeys(tag.strip()[:40] for tag in wanted.tags if tag.strip()))
-    console.library.mark(name, tags, wanted.archived)
+    before = console.library.marks.of(console.library.get(name).name)
+    after = console.library.mark(name, tags, wanted.archived)
+    deed.tell(changes=changes(asdict(before), asdict(after)))
     return _told(console, console.library.get(name))
 
 
@@ -153,9 +170,11 @@ def binned(console: Served) -> list[BinnedAnswer]:
 
 
 @router.post("/mission-bin/{binned}/restore")
-def restore(console: Served, binned: str) -> MissionDetail:
+def restore(console: Served, deed: Done, binned: str) -> MissionDetail:
     """Undo a deletion; where the name was given anew, the mission comes back under another."""
-    return _told(console, console.library.restore(binned))
+    file = console.library.restore(binned)
+    deed.tell(name=file.name, sha256=[None, file.sha256])
+    return _told(console, file)
 
 
 @router.get("/mission-templates")

@@ -11,6 +11,7 @@ from bumpless_server.web.answers.missions import MissionDetail, MissionSummary
 from bumpless_server.web.answers.refusal import REFUSALS
 from bumpless_server.web.errors import Refusal
 from bumpless_server.web.known import Asking
+from bumpless_server.web.ledger import Done
 from bumpless_server.web.routes import Served
 from bumpless_server.web.routes.commanding import Asked
 from bumpless_server.web.routes.findings import refuse_hopeless
@@ -61,10 +62,13 @@ def mission(console: Served, name: str) -> MissionDetail:
 
 @router.post("/missions", status_code=201, openapi_extra=RAW)
 async def upload(
-    console: Served, request: Request, response: Response, name: str, replace: bool = False
+    console: Served, deed: Done, request: Request, response: Response, name: str, replace: bool = False
 ) -> MissionDetail:
     """Check and keep a mission file, sent as the body's bytes; they are kept as they are."""
+    deed.tell(name=name)
+    before = console.missions.get(name)
     file = await run_in_threadpool(console.library.save, name, await request.body(), replace)
+    deed.tell(name=file.name, sha256=[before.sha256 if before else None, file.sha256])
     response.headers["location"] = f"/api/missions/{file.name}"
     return MissionDetail.of(file, console.library.marks.of(file.name))
 

@@ -17,6 +17,7 @@ from bumpless_server.web.answers.contract import CommandReply
 from bumpless_server.web.answers.parameters import ParametersAnswer, Preset
 from bumpless_server.web.answers.refusal import REFUSALS
 from bumpless_server.web.errors import Refusal
+from bumpless_server.web.ledger import Done
 from bumpless_server.web.routes import Served
 from bumpless_server.web.routes.commanding import Asked
 from bumpless_server.web.routes.missions import text_of
@@ -111,14 +112,16 @@ def preset(console: Served, name: str) -> Preset:
 
 
 @router.put("/presets/{name}", openapi_extra=_JSON)
-async def save(console: Served, request: Request, name: str) -> Preset:
+async def save(console: Served, deed: Done, request: Request, name: str) -> Preset:
     """Keep or replace a preset: a whole set of parameters within the present vehicle's ranges."""
     given = await _body(request)
 
     def keep() -> Preset:
         # What is kept is what was understood: {"parameters": {...}} as read, or the object itself.
         inner = given.get("parameters", given) if isinstance(given, dict) else given
-        console.presets.save(name, as_json(tuning.parse(inner, console.vehicle())))
+        before, wanted = console.presets.get(name), as_json(tuning.parse(inner, console.vehicle()))
+        console.presets.save(name, wanted)
+        deed.tell(changes=tuning.changes(before["parameters"] if before else {}, wanted))
         return Preset.model_validate(console.presets.get(name))
 
     return await run_in_threadpool(keep)

@@ -13,6 +13,7 @@ from bumpless_server.runs.shelf import Words
 from bumpless_server.web.answers.contract import Answer
 from bumpless_server.web.answers.refusal import REFUSALS
 from bumpless_server.web.errors import Refusal
+from bumpless_server.web.ledger import Done
 from bumpless_server.web.routes import Served
 
 router = APIRouter(prefix="/api/runs", responses=REFUSALS)
@@ -44,7 +45,7 @@ class Reflown(Answer):
 
 
 @router.post("/{run}/refly", status_code=201)
-def refly(console: Served, run: str, body: Again) -> Reflown:
+def refly(console: Served, deed: Done, run: str, body: Again) -> Reflown:
     """Fly it again in a process of low priority; the answer comes when the new run is in the list."""
     recording = console.recorder.recording
     if recording is not None and recording.id == run:
@@ -77,4 +78,5 @@ def refly(console: Served, run: str, body: Again) -> Reflown:
     changes += [f"seed {body.seed}"] if body.seed is not None else []
     what = ", ".join(changes) or "nothing changed"
     console.shelf.write(name, Words(f"{title}: {what}"[:120], (TAG,), f"{run} flown again: {what}"[:4000]))
+    deed.tell(made=name, what=what)
     return Reflown(id=name)

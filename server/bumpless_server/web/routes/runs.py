@@ -20,7 +20,6 @@ from bumpless_server.web.answers.refusal import REFUSALS
 from bumpless_server.web.answers.runs import RunAnswer
 from bumpless_server.web.errors import Refusal
 from bumpless_server.web.routes import Served
-from bumpless_server.web.routes.noting import Noting
 
 router = APIRouter(prefix="/api/runs", responses=REFUSALS)
 
@@ -123,7 +122,7 @@ def download(console: Served, run: str) -> Response:
 
 
 @router.delete("/{run}", status_code=204)
-def remove(console: Served, noting: Noting, run: str) -> Response:
+def remove(console: Served, run: str) -> Response:
     """Put a finished run into the bin."""
     if _going_on_of(console, run) is not None:
         raise Refusal(409, f"run {run!r} is being recorded")
@@ -132,7 +131,6 @@ def remove(console: Served, noting: Noting, run: str) -> Response:
         raise Refusal(404, f"there is no run {run!r}")
     console.shelf.throw(path)
     console.catalogue.delete(run)
-    noting.note("throw_away_run", run=run)
     return Response(status_code=204)
 
 
