@@ -11,11 +11,13 @@ import os
 import shutil
 import sys
 import tempfile
+import time
 from pathlib import Path
 
 from PIL import Image
 from playwright.sync_api import Browser, Page, expect, sync_playwright
 
+import bumpless
 from bumpless_server.settings import Settings
 from tests.conftest import CHROMIUM_FLAGS, CHROMIUM_NAMES
 from tests.server.serving import Running, free_port, serving
@@ -25,6 +27,9 @@ FOLDER = ROOT / "docs" / "pictures"
 SIZE = (1440, 900)
 COMPILES_MS = 600_000
 FLIES_MS = 180_000
+DAY_NS = 86_400_000_000_000
+SETTLES_MS = 1500  # drawings that come after the words: a picture may wait
+YESTERDAY = "docking_current"  # flown before, to be compared with
 
 
 def save(page: Page, path: Path) -> None:
@@ -74,6 +79,23 @@ def take(browser: Browser, running: Running, folder: Path) -> None:
     show(page, "Runs")
     expect(page.get_by_label("Metrics", exact=True)).to_contain_text("RMS e_τ", timeout=FLIES_MS)
     save(page, folder / "runs.png")
+    page.get_by_role("link", name="Replay", exact=True).click()
+    replay = page.get_by_role("region", name="Replay")
+    replay.get_by_label("Mission time").fill("40")
+    expect(replay).to_contain_text("T+00:40.0")
+    page.wait_for_timeout(SETTLES_MS)
+    save(page, folder / "replay.png")
+    show(page, "Runs")
+    for mark in page.get_by_role("checkbox", name="to compare").all():
+        mark.check()
+    page.get_by_role("button", name="Compare").click()
+    expect(page.get_by_role("table", name="Figures")).to_contain_text("Residual RMS")
+    page.get_by_label("Seconds from the moment the runs are aligned on").fill("45")
+    page.wait_for_timeout(SETTLES_MS)
+    save(page, folder / "compare.png")
+    show(page, "System")
+    expect(page.get_by_role("main")).to_contain_text("Session that speaks")
+    save(page, folder / "system.png")
     page.goto(f"{running.url}/help/")
     save(page, folder / "help.png")
 
@@ -88,6 +110,9 @@ def main(arguments: list[str]) -> int:
         print("no Chromium found: name one in BUMPLESS_CHROMIUM", file=sys.stderr)
         return 1
     with tempfile.TemporaryDirectory() as data, sync_playwright() as playwright:
+        (Path(data) / "runs").mkdir()
+        yesterday = bumpless.fly(YESTERDAY, started_ns=time.time_ns() - DAY_NS)
+        yesterday.save(Path(data) / "runs" / f"{yesterday.info.id}.mcap")
         bus = (f"tcp/127.0.0.1:{free_port()}",)
         with serving(Settings(data_dir=Path(data), zenoh_listen=bus, scene="light")) as running:
             browser = playwright.chromium.launch(executable_path=chromium, args=CHROMIUM_FLAGS)

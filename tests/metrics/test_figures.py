@@ -80,7 +80,7 @@ def test_mode_figures_are_about_each_stay(make_run: MakeRun, ts100: Vehicle) -> 
 
 
 def test_a_gap_in_the_log_is_counted_and_never_spanned(make_run: MakeRun, ts100: Vehicle) -> None:
-    """Lost cycles must not look like a jump of the commands."""
+    """Lost cycles must not look like a jump of the commands, nor a switch among them like a smooth one."""
     n = 40
     cycle = np.arange(n)
     cycle[20:] += 5
@@ -90,7 +90,9 @@ def test_a_gap_in_the_log_is_counted_and_never_spanned(make_run: MakeRun, ts100:
     metrics = metrics_of(make_run(n, cycle=cycle, u=u, mode=mode), ts100)
     assert metrics.missing_cycles == 5
     assert metrics.increment_violations == 0
-    assert math.isnan(metrics.d_u_fr)  # the switch fell into the gap: its step is not known
+    assert math.isnan(metrics.d_u_fr) and math.isnan(metrics.d_u_fr_settling)
+    mode = np.where(np.arange(n) < 30, FORWARD, REVERSE)
+    assert metrics_of(make_run(n, cycle=cycle, u=u, mode=mode), ts100).d_u_fr == 0.0
 
 
 def test_solve_times_and_solved_share(make_run: MakeRun, ts100: Vehicle) -> None:

@@ -134,3 +134,12 @@ def test_the_command_ends_with_a_code_for_a_build(tmp_path: Path, logs: list[Pat
     assert runner.invoke(app, ["compare", names[0]]).exit_code == MISUSED
     wrong = gate_file(tmp_path, "[figures.x]\nmax = 1\n")
     assert runner.invoke(app, ["compare", *names, "--gate", str(wrong)]).exit_code == MISUSED
+
+
+def test_a_flight_with_a_gap_is_no_better_for_what_nobody_saw(logs: list[Path]) -> None:
+    """Protects from a sum that is small because half of it is missing; how it ended is still compared."""
+    whole, other = (subject_of(log) for log in logs[:2])
+    metrics = {**other.metrics, "missing_cycles": 400, "shaft_energy_j": 0.1}
+    rows = {row.figure.key: row for row in compare([whole, replace(other, metrics=metrics)]).figures}
+    assert rows["shaft_energy_j"].values[1] == 0.1 and rows["shaft_energy_j"].changes == ("", "")
+    assert rows["missing_cycles"].changes[1] == "worse" and rows["end.position_m"].changes[1] != ""

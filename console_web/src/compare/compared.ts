@@ -2,8 +2,10 @@
 import { signal } from "@preact/signals";
 import { address, ask } from "../api/client";
 import type { Answer } from "../api/http";
+import { runs } from "../api/resources";
 import type { components } from "../gen/api";
 import { framesOf, rowsOf } from "../replay/frames";
+import { flightsOf } from "../runs/flights";
 import type { CycleRow } from "../stream/cycle_row";
 
 export type Comparison = components["schemas"]["ComparisonAnswer"];
@@ -46,10 +48,16 @@ export async function load(ids: string[]): Promise<void> {
   if (mine === turn) rows.value = found;
 }
 
+/** A flight without the hold after its mission. */
 export async function rowsOfRun(run: string): Promise<CycleRow[]> {
   const about = await ask("get", "/api/runs/{run}/replay", { path: { run } });
   if (!about.ok) return [];
-  const range = { from_s: about.value.first_s, to_s: about.value.last_s, most: ROWS };
+  const { first_s, last_s, pieces } = about.value;
+  const flown = flightsOf(runs.peek() ?? []).find((flight) =>
+    flight.pieces.some(({ id }) => id === run),
+  )?.flown;
+  const end = pieces.find(({ id }) => id === flown?.at(-1)?.id)?.last_s ?? last_s;
+  const range = { from_s: first_s, to_s: end, most: ROWS };
   const response = await fetch(address("/api/runs/{run}/frames", { run }, range));
   return response.ok ? rowsOf(framesOf(await response.arrayBuffer())) : [];
 }

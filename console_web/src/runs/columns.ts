@@ -25,8 +25,9 @@ function errorsOf(metrics: RunSummary["metrics"]): Figure[] {
 }
 
 /** What a flight with gaps was at least, or at most: what nobody recorded may have been more. */
-function bounded(sign: "≥" | "≤", { flown }: Flight, value: Figure, decimals: number): string {
-  return value != null && flown.length > 1 ? `${sign} ${fixed(value, decimals)}` : fixed(value, decimals);
+function bounded(sign: "≥" | "≤", flight: Flight, value: Figure, decimals: number): string {
+  const whole = flight.flown.length < 2 && (!flight.growing || flight.holds);
+  return value == null || whole ? fixed(value, decimals) : `${sign} ${fixed(value, decimals)}`;
 }
 
 export const COLUMNS: Record<Column, About> = {

@@ -47,7 +47,8 @@ export function RunDetails({ flight }: { flight: Flight }) {
   const now = useNow(flight);
   const { head, pieces } = flight;
   const told = whole?.ok ? whole.value : undefined;
-  const run = { ...asOne(flight), ...(told?.outcome ? verdict(told) : {}) };
+  const one = asOne(flight);
+  const run = one.state === "recording" || !told?.outcome ? one : { ...one, ...verdict(told) };
   return (
     <div class="column">
       <Panel
@@ -119,6 +120,9 @@ export function RunDetails({ flight }: { flight: Flight }) {
         {head.state === "recording" && <Empty>Metrics are computed when the run ends.</Empty>}
         {whole?.ok === false && <Empty>No metrics: {whole.reason}</Empty>}
         {told && !told.metrics && <Empty>No metrics: the log holds too little of a mission.</Empty>}
+        {told?.metrics && run.state === "recording" && (
+          <Empty>Up to the last piece that is over: the flight is still being recorded.</Empty>
+        )}
         {told?.metrics && <MetricsTables metrics={told.metrics} />}
       </Panel>
     </div>

@@ -166,7 +166,7 @@ interface RowProps {
 }
 
 function Row({ flight, chosen, marked, onMark, onChoose }: RowProps) {
-  const { head, pieces, growing, holds } = flight;
+  const { head, pieces, flown, growing, holds } = flight;
   const now = useNow(flight);
   const one: RunSummary = { ...asOne(flight), duration_s: now.duration_s ?? null, bytes: now.bytes };
   const shown = growing ? { ...flight, head: one, pieces: [one] } : flight;
@@ -190,7 +190,7 @@ function Row({ flight, chosen, marked, onMark, onChoose }: RowProps) {
         <button type="button" class="link" aria-pressed={chosen} title={head.id} onClick={onChoose}>
           {head.title || head.mission || head.id}
         </button>
-        {pieces.length > 1 && (
+        {pieces.length > 1 && flown.length !== 1 && (
           <span class="tag" title="One flight that was recorded in pieces">
             {pieces.length} pieces
           </span>

@@ -59,8 +59,15 @@ function Menu({ onClose }: { onClose: () => void }) {
       const at = event.target as Node;
       if (!panel.current?.parentElement?.contains(at)) onClose();
     };
+    const pressed = (event: KeyboardEvent): void => {
+      if (event.key === "Escape") onClose();
+    };
     addEventListener("pointerdown", outside);
-    return () => removeEventListener("pointerdown", outside);
+    addEventListener("keydown", pressed);
+    return () => {
+      removeEventListener("pointerdown", outside);
+      removeEventListener("keydown", pressed);
+    };
   }, []);
   const keep = async (): Promise<void> => {
     const answer = await keepView(name.value.trim());
@@ -74,13 +81,7 @@ function Menu({ onClose }: { onClose: () => void }) {
   };
   const replaces = runViews.value?.some((view) => view.name === name.value.trim());
   return (
-    <div
-      ref={panel}
-      class="views-menu"
-      role="group"
-      aria-label="Views of the list"
-      onKeyDown={(event) => event.key === "Escape" && onClose()}
-    >
+    <div ref={panel} class="views-menu" role="group" aria-label="Views of the list">
       <ul class="views-list" aria-label="Saved views, shared by all">
         <li>
           <button type="button" class="link" onClick={() => show(undefined)}>

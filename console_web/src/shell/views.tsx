@@ -2,6 +2,7 @@
 // table, a line here, and its component.
 import { computed, effect, signal } from "@preact/signals";
 import type { ComponentType } from "preact";
+import { runs } from "../api/resources";
 import { VIEWS } from "../gen/house";
 import { replayed } from "../replay/current";
 import { Main } from "../ui/main";
@@ -45,8 +46,10 @@ effect(() => void load(shown.value));
 
 effect(() => {
   const name = replayed.value ? "Replay" : VIEWS.find(({ id }) => id === view.value)?.name;
-  const of = address.value.id && ` of ${address.value.id}`;
-  document.title = `${name}${of} · Bumpless`;
+  const { id, query } = address.value;
+  const called = view.value === "runs" && id && runs.value?.find((run) => run.id === id)?.title;
+  const what = query.compare === undefined ? name : "Comparison";
+  document.title = `${what}${id && ` of ${called || id}`} · Bumpless`;
 });
 
 export function Views() {

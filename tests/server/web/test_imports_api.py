@@ -39,7 +39,7 @@ def test_logs_are_brought_in(server: Running, logged: Flight, tmp_path: Path) ->
     status, ours = bring(server, "from_sea.mcap", logged.path.read_bytes())
     assert status == 201 and ours["id"] == "from_sea" and ours["outcome"]
     status, again = bring(server, "from_sea.mcap", logged.path.read_bytes())
-    assert status == 201 and again["id"] == "from_sea.2"
+    assert status == 201 and again["id"] == "from_sea-copy2"
     theirs = foreign(logged, tmp_path / "theirs.mcap").read_bytes()
     status, told = bring(server, "theirs.mcap", theirs)
     assert status == 201 and told["metrics"]["d_u_rh"] == pytest.approx(ours["metrics"]["d_u_rh"])

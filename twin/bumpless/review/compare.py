@@ -8,6 +8,8 @@ from bumpless.review.figures import FIGURES, Figure
 from bumpless.review.subject import Subject
 
 MOST = 6
+FEW_CYCLES = 10  # missing cycles that make no figure another one
+AT_THE_END = ("end.position_m", "end.heading_deg", "missing_cycles")  # whatever is missing before
 Change = Literal["better", "worse", "same", ""]
 
 
@@ -63,8 +65,16 @@ def change_of(figure: Figure, base: float | None, value: float | None) -> Change
 
 def _row(figure: Figure, subjects: Sequence[Subject]) -> FigureRow:
     values = tuple(figure.of(subject.metrics) for subject in subjects)
-    changes: tuple[Change, ...] = ("", *(change_of(figure, values[0], value) for value in values[1:]))
-    return FigureRow(figure, values, changes)
+    changes: list[Change] = [""]
+    for value, subject in zip(values[1:], subjects[1:], strict=True):
+        fair = figure.key in AT_THE_END or not (_lost(subject) or _lost(subjects[0]))
+        changes.append(change_of(figure, values[0], value) if fair else "")
+    return FigureRow(figure, values, tuple(changes))
+
+
+def _lost(subject: Subject) -> bool:
+    """Whether a part of the flight was not recorded: sums and extremes of the rest are no better for it."""
+    return (subject.metrics.get("missing_cycles") or 0) > FEW_CYCLES
 
 
 def _settings(subjects: Sequence[Subject]) -> Iterator[SettingRow]:

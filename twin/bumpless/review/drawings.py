@@ -218,7 +218,8 @@ def _force(letter: str, k: int) -> Draw:
 
 def _command(i: int, name: str) -> Draw:
     def draw(axes: Any, run: Lines) -> None:
-        _pair(axes, run.broken, run.u_feedback[:, i], run.u[:, i], name)
+        _pair(axes, run.broken, run.u_feedback[:, i], run.u[:, i], "")
+        axes.set_ylabel(name.replace(", ", "\n"), rotation=0, ha="right", va="center")
 
     return draw
 

@@ -67,7 +67,7 @@ export class View3d {
     const [low, high] = this.bounds();
     const size = Math.max(4, Math.hypot(high[0] - low[0], high[1] - low[1]));
     this.turn = preset === "top" ? [180, 89.9] : [150, preset === "follow" ? 22 : 35];
-    this.distance = preset === "follow" ? 6 : 0.8 * size / Math.tan(FOV / 2);
+    this.distance = preset === "follow" ? 6 : 0.5 * size / Math.tan(FOV / 2);
     this.draw(this.time);
   }
 

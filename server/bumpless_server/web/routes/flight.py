@@ -54,9 +54,8 @@ def flight(console: Served, run: str) -> FlightAnswer:
     try:
         told = stretches(console.replays.of(pieces))
     except NoReplay:  # no cycle in it: no figures either
-        told = Stretches(
-            pieces=[FlightPiece(id=p.stem, first_s=None, last_s=None, pace_s=None) for p in pieces], gaps=[]
-        )
+        unknown = [FlightPiece(id=p.stem, first_s=None, last_s=None, pace_s=None) for p in pieces]
+        told = Stretches(pieces=unknown, gaps=[])
     figures = console.flights.of(pieces_of(console, run, flown=True))
     answer = FlightAnswer(
         id=pieces[0].stem, **told, outcome=figures.outcome, outcome_reason=figures.reason, metrics=None
