@@ -13,9 +13,9 @@ const scripts = Object.entries(
   }),
 );
 
-/** A sheet without comments and the conditions of its media queries, which cannot use tokens. */
+/** A sheet without comments and the conditions of its queries, which cannot use tokens. */
 function declarations(sheet: string): string {
-  return sheet.replace(/\/\*[\s\S]*?\*\//g, "").replace(/@media[^{]*/g, "");
+  return sheet.replace(/\/\*[\s\S]*?\*\//g, "").replace(/@(media|container)[^{]*/g, "");
 }
 
 describe("style sheets", () => {

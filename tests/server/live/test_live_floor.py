@@ -2,6 +2,8 @@
 
 from collections.abc import Callable
 
+import numpy as np
+
 from bumpless.chart import DepthGrid, from_bytes
 from bumpless.config.mission import missions_folder
 from bumpless.contract import bumpless_pb2 as pb
@@ -26,7 +28,7 @@ def test_the_recorder_finds_the_grid_that_the_plan_names(make_settings: Callable
 
         found = depths(over)
         assert found is not None and isinstance(grid := from_bytes(found), DepthGrid)
-        assert grid.at(0.0, 0.0) == 9.0
+        assert grid.at(np.array([0.0]), np.array([0.0])) == 9.0
         assert depths(text) is None and depths("nonsense") is None
         assert depths(over.replace("shoal", "elsewhere")) is None
     finally:
