@@ -161,7 +161,7 @@ class DockingParameters:
     ] = 0.08
     lag_near_mps: Annotated[
         float, pace("Too fast by this, close by, counts as a fault of the brake", "lag_near")
-    ] = 0.035
+    ] = 0.028
     hold_distance_m: Annotated[float, way("Hold point, where a wave-off ends", "hold_distance")] = 9.0
     back_speed_mps: Annotated[float, pace("Speed astern in still water", "back_speed")] = 0.15
     # references
