@@ -17,9 +17,7 @@ from bumpless.config.mission import parse_mission
 from bumpless.config.vehicle import Vehicle, VehicleError, parse_vehicle
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.version import software_version
-from bumpless.runs.adopt import NotOurs, adopt
-from bumpless.runs.names import COMPLETE, DESCRIPTION, ENDING
-from bumpless.runs.records import read_records
+from bumpless.runs.names import DESCRIPTION
 from bumpless.runs.view import View
 from bumpless_server.access.accounts import Accounts, AccountsError
 from bumpless_server.access.lease import Lease
@@ -55,6 +53,7 @@ from bumpless_server.runs.catalogue import Catalogue
 from bumpless_server.runs.disk_budget import DiskBudget
 from bumpless_server.runs.errands import Errands
 from bumpless_server.runs.flights import Flights
+from bumpless_server.runs.keeper import Keeper
 from bumpless_server.runs.recorder import Recorder
 from bumpless_server.runs.replays import Replays
 from bumpless_server.runs.run_views import RunViews
@@ -103,10 +102,11 @@ class Console:
             settings.disk_free_bytes,
             *([self._prune] if settings.runs_prune else []),
         )
+        self.keeper = Keeper(self.data.runs, self.catalogue, self._busy, self.say)
         self.recorder = Recorder(
             self.data.runs,
             self.say,
-            self._recorded,
+            self.keeper.recorded,
             _views,
             settings.recorder_queue_messages,
             settings.recorder_queue_bytes,
@@ -159,7 +159,6 @@ class Console:
         self.supervisor = Supervisor(
             node_command(settings), self.data.node_log, self.data.node_record, self.say, self._ask_node_to_end
         )
-        self.indexed = threading.Event()  # set when the catalogue has seen every file
         self.started = False
         self._stopping = False  # losing the node is then no alarm
         self._vehicle: tuple[str, Vehicle] | None = None
@@ -195,10 +194,12 @@ class Console:
             heart = Heart(self._beat)
             heart.start()
             stack.callback(heart.stop)
-            indexing = threading.Thread(target=self._index, name="catalogue", daemon=True)
+            indexing = threading.Thread(
+                target=self.keeper.index, args=(self._tell_left_out,), name="catalogue", daemon=True
+            )
             indexing.start()
             stack.callback(indexing.join)
-            watch = FolderWatch(self.data.runs, self._found)
+            watch = FolderWatch(self.data.runs, self.keeper.found)
             watch.start()
             stack.callback(watch.stop)
             if self.settings.manage_node:
@@ -342,12 +343,6 @@ class Console:
             self.recorder.link_lost()
             self.say(pb.SEVERITY_ALARM, "link_lost", f"The link to {self.state.vehicle_id} is lost", {})
 
-    def _recorded(self, path: Path) -> None:
-        try:
-            self.catalogue.add(path)
-        except Exception:
-            log.exception("%s could not be indexed", path)
-
     def _depths_of(self, plan: pb.Plan) -> bytes | None:
         """The depth grid that a mission being flown names, as it is stored now: the vehicle has no charts."""
         try:
@@ -358,41 +353,11 @@ class Console:
         return to_bytes(mission.depth_grid) if isinstance(mission.depth_grid, DepthGrid) else None
 
     def _prune(self) -> bool:
-        """Delete the oldest complete run; what was interrupted may be all there is of an accident."""
-        complete = [row.summary for row in self.catalogue.rows() if row.summary.state == COMPLETE]
-        if not complete or not self.catalogue.delete(complete[-1].id):
-            return False
-        text = f"Run {complete[-1].id} was deleted: runs may take {self.settings.runs_max_bytes} bytes"
-        self.say(pb.SEVERITY_WARNING, "run_deleted", text, {"run": complete[-1].id})
-        return True
+        return self.keeper.prune(self.settings.runs_max_bytes)
 
-    def _index(self) -> None:
-        try:
-            for path in self.catalogue.refresh(busy=self._busy):
-                text = f"Run {path.stem} had been cut off and was repaired"
-                self.say(pb.SEVERITY_INFO, "run_repaired", text, {"run": path.stem})
-            for folder, name, reason in self.left_out():
-                self.tally.note("bad_file", f"{folder}/{name}: {reason}")
-        except Exception:
-            log.exception("the runs could not be indexed")
-        finally:
-            self.indexed.set()
-
-    def _found(self, names: set[str]) -> None:
-        """Somebody put logs into the folder of runs, or took some away."""
-        if not self.indexed.is_set():
-            return
-        before = {row.summary.id for row in self.catalogue.rows()}
-        for path in (self.data.runs / name for name in names - {f"{run}{ENDING}" for run in before}):
-            if path.is_file() and path != self._busy() and not read_records(path).run:
-                with contextlib.suppress(NotOurs, OSError):  # it is listed as what it is
-                    adopt(path, path)
-        self.catalogue.refresh(busy=self._busy)
-        new = {row.summary.id for row in self.catalogue.rows()} - before
-        for run in sorted(new & {Path(name).stem for name in names}):
-            self.say(
-                pb.SEVERITY_INFO, "run_found", f"Run {run} was put into the folder of runs", {"run": run}
-            )
+    def _tell_left_out(self) -> None:
+        for folder, name, reason in self.left_out():
+            self.tally.note("bad_file", f"{folder}/{name}: {reason}")
 
     def _busy(self) -> Path | None:
         run = self.recorder.recording

@@ -33,7 +33,7 @@ def running(tmp_path_factory: pytest.TempPathFactory, flown: bumpless.Run) -> It
     in_pieces(flown, data / "runs", CUT, AGAIN, HELD)
     bus = (f"tcp/127.0.0.1:{free_port()}",)
     with serving(Settings(data_dir=data, zenoh_listen=bus, scene="off", manage_node=False)) as server:
-        assert server.console.indexed.wait(60)
+        assert server.console.keeper.indexed.wait(60)
         yield server
 
 

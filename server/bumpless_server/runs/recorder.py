@@ -26,6 +26,7 @@ from bumpless.runs.view import View
 from bumpless.runs.writer import Beside, RunWriter
 from bumpless_server.live.boxes import BoundedQueue
 from bumpless_server.live.sample import Sample
+from bumpless_server.live.told import Say
 from bumpless_server.live.worker import Worker
 from bumpless_server.runs.disk_budget import DiskBudget
 
@@ -41,8 +42,6 @@ RETRY_S = 5.0  # after a disk without room, and the first time after a failing o
 MAX_RETRY_S = 300.0  # each try may leave a part of the run behind: twice as long each time, up to this
 
 LOST = "link to the vehicle lost"
-
-Say = Callable[[pb.Severity, str, str, dict[str, str]], None]
 
 
 class _LinkLost:

@@ -65,7 +65,7 @@ def served(tmp_path: Path) -> Iterator[tuple[Running, set[str]]]:
         ):
             (data / "presets" / f"junk{number}.json").write_bytes(junk)
             odd.add(f"junk{number}.json")
-        assert running.console.indexed.wait(60)
+        assert running.console.keeper.indexed.wait(60)
         yield running, odd
 
 

@@ -27,7 +27,7 @@ def server(tmp_path_factory: pytest.TempPathFactory, flown: bumpless.Run) -> Ite
     in_pieces(flown, data / "runs", CUT, AGAIN, HELD)
     bus = (f"tcp/127.0.0.1:{free_port()}",)
     with serving(Settings(data_dir=data, zenoh_listen=bus, scene="off", manage_node=False)) as running:
-        assert running.console.indexed.wait(60)
+        assert running.console.keeper.indexed.wait(60)
         running.http.timeout = 120.0
         yield running
 

@@ -25,7 +25,7 @@ def server(tmp_path: Path) -> Iterator[Running]:
         data_dir=tmp_path / "data", zenoh_listen=bus, scene="off", manage_node=False, import_bytes=20_000_000
     )
     with serving(settings) as running:
-        assert running.console.indexed.wait(60)
+        assert running.console.keeper.indexed.wait(60)
         yield running
 
 
