@@ -74,6 +74,7 @@ SILENT = _table(
     POST /api/missions/export answers and keeps nothing
     POST /api/what-if answers and keeps nothing
     POST /api/scene/camera turns one browser's own view
+    POST /api/scene/ruler measures in one browser's own view
     PUT /api/missions/{name}/draft work in progress, kept every other second; saving it is written down
     DELETE /api/missions/{name}/draft work in progress
     """
