@@ -349,7 +349,9 @@ def test_alarms_are_seen_by_who_is_in_control(console: Page, server: ContractSer
     bar = console.get_by_role("region", name="Alarms")
     for name in ("Seen", "Shelve"):
         expect(bar.get_by_role("button", name=name)).to_be_disabled()
-        expect(bar.get_by_role("button", name=name)).to_have_attribute("title", "For who is in control")
+        expect(bar.get_by_role("button", name=name)).to_have_attribute(
+            "title", "Another operator is in control"
+        )
 
 
 def test_alarms_are_silent_until_somebody_wants_to_hear_them(console: Page, server: ContractServer) -> None:

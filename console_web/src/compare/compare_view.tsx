@@ -10,7 +10,7 @@ import { Segments } from "../ui/segments";
 import "../ui/table.css";
 import "./compare_view.css";
 import { FiguresTable, SettingsTable } from "./compare_tables";
-import { comparison, idsOf, letterOf, load, MOMENTS, type Moment } from "./compared";
+import { comparison, idsOf, letterOf, load, MOMENTS, type Moment, unread } from "./compared";
 import { Ghosts } from "./ghosts";
 import { Overlay } from "./overlay";
 
@@ -90,6 +90,7 @@ export function CompareView() {
         <>
           <Ghosts comparison={answer.value} align={align.value} />
           <Panel title="Lines" class="overlays" scrolls unit={`seconds from ${NAMES[align.value]}`}>
+            {unread.value && <Empty>The lines of {unread.value} cannot be read.</Empty>}
             {SIGNALS.map((signal) => (
               <Overlay key={signal.column} {...signal} align={align.value} comparison={answer.value} />
             ))}

@@ -33,33 +33,42 @@ export function idsOf(text: string | undefined): string[] {
 export const comparison = signal<Answer<Comparison> | undefined>(undefined);
 /** Rows of each run, in order; empty until they have come. */
 export const rows = signal<CycleRow[][]>([]);
+/** Those whose lines cannot be read, by letter; they are left out of plots and scene. */
+export const unread = signal("");
 let turn = 0;
 
 export async function load(ids: string[]): Promise<void> {
   const mine = ++turn;
   comparison.value = undefined;
   rows.value = [];
+  unread.value = "";
   const query = new URLSearchParams(ids.map((id) => ["run", id]));
   const answer = await ask("get", `/api/compare?${query}` as "/api/compare");
   if (mine !== turn) return;
   comparison.value = answer;
   if (!answer.ok) return;
   const found = await Promise.all(ids.map(rowsOfRun));
-  if (mine === turn) rows.value = found;
+  if (mine !== turn) return;
+  unread.value = found.flatMap((own, k) => (own ? [] : [letterOf(k)])).join(", ");
+  rows.value = found.map((own) => own ?? []);
 }
 
-/** A flight without the hold after its mission. */
-export async function rowsOfRun(run: string): Promise<CycleRow[]> {
+/** A flight without the hold after its mission; undefined when it cannot be read. */
+export async function rowsOfRun(run: string): Promise<CycleRow[] | undefined> {
   const about = await ask("get", "/api/runs/{run}/replay", { path: { run } });
-  if (!about.ok) return [];
+  if (!about.ok) return undefined;
   const { first_s, last_s, pieces } = about.value;
   const flown = flightsOf(runs.peek() ?? []).find((flight) =>
     flight.pieces.some(({ id }) => id === run),
   )?.flown;
   const end = pieces.find(({ id }) => id === flown?.at(-1)?.id)?.last_s ?? last_s;
   const range = { from_s: first_s, to_s: end, most: ROWS };
-  const response = await fetch(address("/api/runs/{run}/frames", { run }, range));
-  return response.ok ? rowsOf(framesOf(await response.arrayBuffer())) : [];
+  try {
+    const response = await fetch(address("/api/runs/{run}/frames", { run }, range));
+    return response.ok ? rowsOf(framesOf(await response.arrayBuffer())) : undefined;
+  } catch {
+    return undefined; // out of reach, or gone with the page
+  }
 }
 
 /** Lines of one signal over time from a moment: one x axis for all, nothing where a run has no row. */

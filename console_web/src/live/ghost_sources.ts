@@ -11,7 +11,7 @@ export interface Flown {
 }
 
 export async function earlierRun(id: string): Promise<Flown> {
-  const rows = (await rowsOfRun(id)).filter(({ inForce }) => inForce);
+  const rows = ((await rowsOfRun(id)) ?? []).filter(({ inForce }) => inForce);
   if (!rows.length) throw new Error("this run cannot be replayed");
   const names = [...new Set(rows.flatMap(({ row }) => Object.keys(row)))];
   const columns = Object.fromEntries(names.map((name) => [name, rows.map(({ row }) => row[name] ?? null)]));

@@ -41,13 +41,16 @@ def test_every_route_answers_with_a_model() -> None:
 
 def test_a_refusal_is_declared_for_every_subject() -> None:
     """Protects the one shape of refusals that the console reads."""
-    for path, methods in interface()["paths"].items():
+    told_ = interface()
+    declared = told_["components"]["responses"]
+    for path, methods in told_["paths"].items():
         for method in METHODS & methods.keys():
             answers = methods[method]["responses"]
             refusals = [one for status, one in answers.items() if not status.startswith("2")]
             assert len(refusals) > 5 and "4XX" not in answers, path
             for refused in refusals:
-                schema = refused["content"]["application/problem+json"]["schema"]
+                known = declared[refused["$ref"].removeprefix("#/components/responses/")]
+                schema = known["content"]["application/problem+json"]["schema"]
                 assert schema["$ref"].endswith("/Refused"), path
 
 
