@@ -89,9 +89,17 @@ export function Diagnostics() {
                 <th scope="row" class="code">
                   {topic.topic}
                 </th>
-                <td class="num">{topic.age_s === null ? "never heard" : age(topic.age_s)}</td>
+                <td class="num">{topic.age_s === null ? "–" : age(topic.age_s)}</td>
                 <td class="num">{fixed(topic.fresh_for_s, 1)} s</td>
-                <td>{topic.late ? <span class="lost">late</span> : "present"}</td>
+                <td>
+                  {topic.age_s === null ? (
+                    <span class="muted">not yet</span>
+                  ) : topic.late ? (
+                    <span class="lost">late</span>
+                  ) : (
+                    "present"
+                  )}
+                </td>
               </tr>
             ))}
           </tbody>

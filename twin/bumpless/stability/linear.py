@@ -28,6 +28,8 @@ _NOT_STATE = {
     "navigation.doubt",
     "guidance.b",
     "docking.drift",
+    "docking.back_to",
+    "switching.minus",
     "switching.ramp_length",
     "switching.kappa",
     "estimator",
