@@ -1,6 +1,6 @@
 // Showing no faster than eyes need: what comes meanwhile is shown with the next picture, and the last never lost.
 
-export const PICTURE_MS = 115; // about eight pictures a second: more cannot be read, and each costs the whole page
+export const PICTURE_MS = 140; // about seven pictures a second: more cannot be read, and each costs the whole page
 
 type Frame = (run: () => void) => void;
 

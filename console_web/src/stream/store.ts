@@ -1,5 +1,5 @@
 // The newest message of each topic, with its age, as signals. Frames are decoded as they come and shown
-// in an animation frame about eight times a second: a page that is not seen takes in everything and draws nothing.
+// in an animation frame about seven times a second: a page that is not seen takes in everything and draws nothing.
 // An age counts from the moment the server received the message, so a value replayed to a late joiner is
 // not taken for a live one.
 import { fromBinary } from "@bufbuild/protobuf";

@@ -135,7 +135,7 @@ def test_a_lost_target_is_backed_away_from_and_docked_at_on_the_second_try(ts100
 
 
 def test_a_screw_with_a_fifth_of_its_thrust_still_stops_before_the_dock() -> None:
-    """Protects: the brake's weakness is seen while there is way left to stop in: this draw once ran through."""
+    """Protects: a weak brake is seen while there is way left to stop in; this draw once ran through."""
     case = draw_case(22020, "fault", "fixed")
     result = fly_case(case)
     assert not hits(result.log, case.mission.target).any()
