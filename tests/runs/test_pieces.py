@@ -9,7 +9,7 @@ import bumpless
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.messages import decoded
 from bumpless.runs.flight_replay import FlightReplay
-from bumpless.runs.joined import open_flight
+from bumpless.runs.open_flight import open_flight
 from bumpless.runs.pieces import piece_name, piece_of
 from bumpless.runs.repair import repair
 from bumpless.runs.replay import NoReplay

@@ -17,7 +17,7 @@ from bumpless.review.figures import moments
 from bumpless.review.report import rendered
 from bumpless.review.scene3d import COLOURS, MakeHull, scene
 from bumpless.review.subject import subject_of
-from bumpless.runs.joined import open_flight
+from bumpless.runs.open_flight import open_flight
 from bumpless.runs.run import Run
 
 ALIGNED = {

@@ -19,7 +19,7 @@ from bumpless.contract.version import software_version
 from bumpless.metrics import as_dict
 from bumpless.review.figures import FIGURES
 from bumpless.review.scene3d import MakeHull, as_json, scene, script, script_hash
-from bumpless.runs.joined import open_flight
+from bumpless.runs.open_flight import open_flight
 from bumpless.runs.run import Run
 
 _WORDS = {mode: look.name for mode, look in LOOKS.items()}

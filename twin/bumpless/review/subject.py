@@ -11,7 +11,7 @@ import yaml
 from bumpless.metrics import as_dict
 from bumpless.runs import names
 from bumpless.runs.info import RunInfo
-from bumpless.runs.joined import open_flight
+from bumpless.runs.open_flight import open_flight
 from bumpless.runs.records import Records, read_records
 
 

@@ -1,6 +1,6 @@
 """A flight whose record was cut into pieces, as one run: its figures over all that was recorded of it."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -13,24 +13,9 @@ from bumpless.config.vehicle import Vehicle
 from bumpless.metrics import Columns, Figures, figures_of
 from bumpless.runs import names
 from bumpless.runs.figures import OUTCOME, how_ended, why_ended
-from bumpless.runs.flight import open_run
 from bumpless.runs.info import RunInfo
 from bumpless.runs.pieces import joined
-from bumpless.runs.read import check_log
 from bumpless.runs.recorded import Recorded
-from bumpless.runs.run import Run
-
-
-def open_flight(paths: Sequence[Path]) -> Run:
-    """The run of a flight that was recorded in pieces, given in order; of one alone it is `open_run`.
-
-    Raises ValueError when a file is no MCAP, OSError when one cannot be read.
-    """
-    if len(paths) == 1:
-        return open_run(paths[0])
-    for path in paths:
-        check_log(path)
-    return Run(Joined(tuple(paths)))
 
 
 @dataclass(frozen=True)
