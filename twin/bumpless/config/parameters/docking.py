@@ -162,6 +162,11 @@ class DockingParameters:
     lag_near_mps: Annotated[
         float, pace("Too fast by this, close by, counts as a fault of the brake", "lag_near")
     ] = 0.028
+    unbraked_most_mps: Annotated[
+        float,
+        pace("Faster by this than thrust should have left it", "unbraked_most",
+             "Over 3 s, close by: counts as a fault of the brake."),
+    ] = 0.034  # fmt: skip
     hold_distance_m: Annotated[float, way("Hold point, where a wave-off ends", "hold_distance")] = 9.0
     back_speed_mps: Annotated[float, pace("Speed astern in still water", "back_speed")] = 0.15
     # references
@@ -181,6 +186,9 @@ class DockingParameters:
                help="Where the flow is slow fins gain nothing by slamming."),
     ] = 11.5  # fmt: skip
     forward_feed: Annotated[float, share("Drag and inertia fed forward in surge", "forward_feed")] = 1.0
+    turn_feed: Annotated[
+        float, share("Drag of a turn fed forward", "turn_feed", "Under way: of the hull and of its fins.")
+    ] = 0.8
     slow_worth: Annotated[
         float,
         Number("Largest factor on Q of pitch and yaw in slow flow", "", 1.0, 1e6, record="slow_worth"),

@@ -11,43 +11,96 @@ from bumpless.jit import jit
 from bumpless.physics.frames import direction, wrap
 
 _LITTLE = 0.5  # rad of turn too much that is made up on the line
+_FARTHER = 5  # places where the line may be joined, half a turning radius apart
+_TIGHT = 0.8  # of the turning radius: the first turn leads nowhere in particular, and is flown as it comes
+_NO_WAY = 1e6  # m
 _PUSH = 2.0  # rad outwards for a vehicle in the middle of a circle it should keep out of
 
 
 @jit
-def nearer_side(settings, eta, point, approach):
-    """The side, 1 clockwise or -1, on which the way round is the shorter one, turns at both ends included."""
-    best, least = 1, 1e9
+def choose_way(settings, plan, navigation, point, docking):
+    """Choose the shortest way round that can be flown: docking.side, 1 clockwise or -1, and docking.farther,
+    by how much sooner than `entry_distance` the line is joined, m.
+
+    Each is a turn from where the vehicle heads, a straight way and the turn on to the line (Dubins 1957). Two
+    turns of opposite hands need room between their circles: where there is too little, joining farther out
+    gives it, or else the vehicle would swing past the line and back. point (3,): the observation point, NED.
+    """
+    eta, radius = navigation.eta, settings.turn_radius
+    keep = keep_out(settings, plan)
+    bearing, off, _ = tangent(keep, eta, navigation.target)
+    near = off < keep + 2.0 * radius
+    docking.side, docking.farther = 1, 0.0
+    best = 1e9
     for k in range(2):
         side = 1 - 2 * k
-        heading, far = circle_heading(settings, eta, point, approach, side)
-        radius = settings.turn_radius
-        straight = sqrt(max(far * far - radius * radius, 0.0))
-        at_end = side * wrap(approach - heading)  # rad still to be turned on the circle
-        arc = max(at_end, 0.0) if at_end > -_LITTLE else at_end + 2.0 * pi
-        inside = 2.0 * pi * radius if far < 0.9 * radius else 0.0
-        way = straight + inside + radius * (arc + abs(wrap(heading - eta[5])))
-        if way < least:
-            best, least = side, way
-    return best
+        for step in range(_FARTHER):
+            farther = 0.5 * step * radius
+            cx, cy = circle_centre(settings, point, docking.heading, side, farther)
+            for j in range(2):
+                hand = 1 - 2 * j
+                way = farther + way_round(radius, eta, cx, cy, docking.heading, side, hand, near, bearing)
+                if way < best:
+                    best, docking.side, docking.farther = way, side, farther
 
 
 @jit
-def circle_heading(settings, eta, point, approach, side):
-    """(heading, far): tangent to the turning circle at the line's beginning, rad, and m to its centre.
+def way_round(radius, eta, cx, cy, approach, side, hand, near, bearing):
+    """Length of the way to the line, m, by a first turn of this hand and the turn on to the line of this side,
+    about (cx, cy); long where the circles leave no room, and where the first turn sweeps over the dock.
 
-    point (3,): the observation point, NED; approach: heading of the line, rad; side: 1 clockwise, -1 not.
+    near: the dock is close, in the direction `bearing`, rad; approach: heading of the line, rad.
     """
+    tight = _TIGHT * radius
+    dx = cx - eta[0] + hand * tight * sin(eta[5])
+    dy = cy - eta[1] - hand * tight * cos(eta[5])
+    apart, between = hypot(dx, dy), radius - hand * side * tight
+    if apart < between:
+        return _NO_WAY
+    heading = direction(dx, dy) - side * asin(between / apart)
+    first, last = turn_by(hand, heading - eta[5]), turn_by(side, approach - heading)
+    if first > pi or (near and turn_by(hand, bearing - eta[5]) < first):
+        return _NO_WAY  # the autopilot turns the short way
+    return sqrt(apart * apart - between * between) + tight * first + radius * last
+
+
+@jit
+def turn_by(hand, angle):
+    """How far a turn of this hand goes until it has turned by `angle`, rad: from 0 to less than 2 pi. One that
+    would go all the way round for a little is none."""
+    turn = (hand * angle) % (2.0 * pi)
+    return turn if turn < 2.0 * pi - _LITTLE else 0.0
+
+
+@jit
+def circle_centre(settings, point, approach, side, farther):
+    """(north, east) of the circle of the turn on to the line, m. side 1: clockwise, to starboard of the line."""
     c, s = cos(approach), sin(approach)
-    radius = settings.turn_radius
-    # side 1: clockwise turn, centre to starboard of the line
-    cx = point[0] - settings.entry_distance * c - side * radius * s
-    cy = point[1] - settings.entry_distance * s + side * radius * c
+    begins, radius = settings.entry_distance + farther, settings.turn_radius
+    return point[0] - begins * c - side * radius * s, point[1] - begins * s + side * radius * c
+
+
+@jit
+def circle_heading(settings, eta, point, docking):
+    """(heading, far): tangent to the circle of the turn on to the line, rad, and m to its centre.
+
+    point (3,): the observation point, NED.
+    """
+    radius, side = settings.turn_radius, docking.side
+    cx, cy = circle_centre(settings, point, docking.heading, side, docking.farther)
     dx, dy = cx - eta[0], cy - eta[1]
     far = max(hypot(dx, dy), 1e-6)
     if far > radius:
         return direction(dx, dy) - side * asin(radius / far), far
     return direction(dx, dy) - side * (0.5 * pi + atan((radius - far) / (0.5 * radius))), far
+
+
+@jit
+def off_the_way(settings, eta, point, docking):
+    """How far the vehicle is to starboard of the way round, m: within the turning circle it is off it, and
+    elsewhere the way, a tangent to that circle, begins where the vehicle is."""
+    _, far = circle_heading(settings, eta, point, docking)
+    return docking.side * max(settings.turn_radius - far, 0.0)
 
 
 @jit
@@ -105,7 +158,7 @@ def clear_leg(settings, plan, navigation, leg, left, heading, docking):
 def entry_references(settings, plan, navigation, point, docking):
     """(u goal, z goal, psi_d) on the way round; drift is made good by a crab angle."""
     eta, target, current = navigation.eta, navigation.target, navigation.current
-    heading, far = circle_heading(settings, eta, point, docking.heading, docking.side)
+    heading, far = circle_heading(settings, eta, point, docking)
     heading = wrap(clear_heading(keep_out(settings, plan), eta, target, heading, far))
     along, across = along_across(current, heading)
     speed = plan.speed[plan.n_legs - 1]

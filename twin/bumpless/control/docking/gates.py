@@ -97,7 +97,8 @@ def fault_of(dt, settings, view, docking):
         return OFF_DEPTH
     if docking.gate_cycles * dt > settings.patience:
         return STUCK_AT_GATE
-    fast = -docking.surge_lag > settings.lag_near and view.left < settings.gate_distance + 1.0
+    weak = docking.unbraked > settings.unbraked_most or -docking.surge_lag > settings.lag_near
+    fast = weak and view.left < settings.gate_distance + 1.0
     if abs(docking.surge_lag) > settings.lag_most or fast:
         return TOO_SLOW
     return 0

@@ -17,6 +17,7 @@ DOCKING_STATE = np.dtype(
         ("heading", f8),  # approach heading in use, rad
         ("fix_age", i8),  # cycles since the last fix of the target
         ("side", i8),  # of the turn on to the approach line: 1 clockwise, -1 the other way
+        ("farther", f8),  # how much sooner than entry_distance the line is joined, m
         (
             "passing",
             i8,
@@ -29,7 +30,10 @@ DOCKING_STATE = np.dtype(
         ("tilt", f8),  # sideways drift of a hull that rolls while its verticals push, smoothed, m/s
         ("lateral_rate", f8),  # speed over ground across the approach line, to starboard, smoothed, m/s
         ("surge_lag", f8),  # by how much speed stays behind its reference, smoothed, m/s
+        ("made", f8),  # speed that the commands should have made of it, m/s
+        ("unbraked", f8),  # by how much the vehicle is faster than that, smoothed, m/s
         ("u_dot", f8),  # of the speed reference, m/s^2
+        ("turn", f8),  # rate of the heading reference under way, smoothed, rad/s
         ("leg_climb", f8),  # rate of the depth reference on a leg that slopes, smoothed, m/s
         ("pitch_share", f8),  # of depth control that pitch has
         ("schedule", f8),  # share of the fin channels' gains in the last cycle; 0 before the first

@@ -5,18 +5,22 @@ Beyond the paper. reference (6,) = [u_d v_d z_d phi_d theta_d psi_d], m/s, m and
 
 from math import asin, atan, cos, sin
 
-from bumpless.contract.enums import CREEP, ENTRY, TRANSIT
+from bumpless.contract.enums import BACK, CREEP, ENTRY, OFF_HEADING, OVERSHOT, TOO_SLOW, TRANSIT
 from bumpless.control.docking.creep import creep_references
-from bumpless.control.docking.entry import clear_leg, entry_references
+from bumpless.control.docking.entry import clear_leg, entry_references, off_the_way
 from bumpless.control.docking.line import line_references
+from bumpless.control.docking.surge import surge_drag, surge_mass
 from bumpless.control.guidance.guide import approach
 from bumpless.control.guidance.path import follow_path
 from bumpless.jit import inline, jit
 from bumpless.physics.frames import wrap
+from bumpless.physics.lag import lag
 
 _T_LATERAL = 1.5  # s, smoothing of the speed across the line
 _T_DEPTH_RATE = 1.0  # s, smoothing of the depth reference's rate
 _T_LAG = 4.0  # s, smoothing of the speed error
+_T_TURN = 1.0  # s, smoothing of the heading reference's rate
+_T_MADE, _T_UNBRAKED = 3.0, 0.5  # s, of the speed that commands should have made, and of what is beyond it
 _CLIMB_MOST = 0.2  # rad of path slope fed forward
 
 
@@ -65,7 +69,11 @@ def pitch_reference(settings, guidance, depth, z_d, e_dot_z, u_r, docking):
 
 @jit
 def shape_speed(dt, settings, acceleration, u_goal, reference, docking):
-    """Move u_d towards its goal, m/s, at an acceleration that changes no faster than the jerk."""
+    """Move u_d towards its goal, m/s, at an acceleration that changes no faster than the jerk: but at once where
+    the vehicle would not stop before the dock."""
+    reason = docking.reason
+    if docking.stage == BACK and (reason == TOO_SLOW or reason == OVERSHOT or reason == OFF_HEADING):
+        reference[0] = min(reference[0], u_goal)
     wanted = (u_goal - reference[0]) / settings.speed_time
     wanted = min(max(wanted, -acceleration), acceleration)
     docking.u_dot = approach(docking.u_dot, wanted, settings.jerk * dt)
@@ -99,8 +107,18 @@ def shape_references(dt, settings, guidance, goals, navigation, smooth, referenc
     )  # fmt: skip
     reference[1] = reference[3] = 0.0
     reference[4] = approach(reference[4], theta_d, settings.line_rate * dt)
-    turn = guidance.heading_rate if docking.stage == TRANSIT or docking.stage == ENTRY else settings.line_rate
-    reference[5] = wrap(reference[5] + approach(0.0, wrap(psi_d - reference[5]), turn * dt))
+    shape_heading(dt, settings, guidance, psi_d, reference, docking)
+
+
+@jit
+def shape_heading(dt, settings, guidance, psi_d, reference, docking):
+    """Turn the heading reference towards psi_d, rad; notes its rate for the moment that a turn asks for."""
+    under_way = docking.stage == TRANSIT or docking.stage == ENTRY
+    most = guidance.heading_rate if under_way else settings.line_rate
+    turn = approach(0.0, wrap(psi_d - reference[5]), most * dt)
+    reference[5] = wrap(reference[5] + turn)
+    rate = turn / dt if under_way else 0.0
+    docking.turn += lag(dt, _T_TURN) * (rate - docking.turn)
 
 
 @jit
@@ -116,6 +134,7 @@ def guide_docking(dt, settings, plan, s, situation, view, out):
         out.cross_track, out.along_track = view.aside, view.left
         if stage == ENTRY:
             goals = entry_references(settings.docking, plan, navigation, situation.station, docking)
+            out.cross_track = off_the_way(settings.docking, navigation.eta, situation.station, docking)
         elif stage == CREEP:
             goals = creep_references(dt, settings.docking, plan, navigation, reference[0], view, docking)
         else:
@@ -127,9 +146,10 @@ def guide_docking(dt, settings, plan, s, situation, view, out):
 
 
 @jit
-def begin_at(navigation, reference):
+def begin_at(navigation, reference, docking):
     """References of the first cycle: as the vehicle is found, so that nothing dips."""
     reference[0], reference[2] = navigation.nu[0], navigation.eta[2]
+    docking.made = navigation.nu[0]
     reference[5] = navigation.eta[5]
 
 
@@ -138,6 +158,18 @@ def rest_references(view, docking):
     """While paused nothing of the shaping goes on; depth is held by heave."""
     docking.u_dot = docking.leg_climb = docking.pitch_share = 0.0
     view.depth_moves = 0
+
+
+@jit
+def note_brake(dt, model, thrust, u, u_r, docking):
+    """Smooth by how much speed u, m/s, exceeds what the commanded thrust, N, and drag should have made of it.
+
+    made' = (thrust - drag(u_r)) / (m - X_u') + (u - made) / T, so that what is off by a little for good counts
+    for little. A brake that is weak shows here before it shows in the speed: the PID asks for more at first.
+    """
+    pull = (thrust - surge_drag(model, u_r)) / surge_mass(model)
+    docking.made += dt * (pull + (u - docking.made) / _T_MADE)
+    docking.unbraked += lag(dt, _T_UNBRAKED) * (u - docking.made - docking.unbraked)
 
 
 @jit

@@ -79,7 +79,7 @@ def in_transit(clock, settings, supervisor, plan, navigation, leg, point, view, 
     if can_join(settings, supervisor.d_fr_l, view):
         begin_approach(clock.cycle, docking)
     else:
-        begin_entry(clock.cycle, settings, eta, point, docking)
+        begin_entry(clock.cycle, settings, plan, navigation, point, docking)
     return FORWARD
 
 
@@ -151,7 +151,7 @@ def go_around(cycle, settings, plan, navigation, blind, point, view, docking):
         return REVERSE
     docking.heading = heading
     observation_point(navigation.target, heading, plan.standoff, point)
-    begin_entry(cycle, settings, navigation.eta, point, docking)
+    begin_entry(cycle, settings, plan, navigation, point, docking)
     return FORWARD
 
 

@@ -10,6 +10,7 @@ from bumpless.control.docking.creep import creep_mode
 from bumpless.control.docking.references import (
     begin_at,
     guide_docking,
+    note_brake,
     note_lag,
     rest_references,
     smooth_lateral,
@@ -40,7 +41,7 @@ def look_docking(dt, plan, sighted, s, situation, view):
 @jit
 def start_as_found(model, m, s):
     """In a mission's first cycle: references and commands as the vehicle is found, so that nothing dips."""
-    begin_at(s.navigation, s.guidance.reference)
+    begin_at(s.navigation, s.guidance.reference, s.docking)
     for i in range(model.n_u):
         if isfinite(m.u_feedback[i]):
             s.allocation.u[i] = min(max(m.u_feedback[i], model.command_min[i]), model.command_max[i])
@@ -88,7 +89,9 @@ def trim_docking(settings, model, schedule, s, view, gains):
     """Change this cycle's GAINS for docking. schedule: share of the fin channels' gains."""
     reference, navigation = s.guidance.reference, s.navigation
     note_schedule(schedule, view, s.docking)
-    note_lag(settings.dt, reference[0], navigation.nu[0], s.docking)
+    u, u_r = navigation.nu[0], navigation.smooth_nu_r[0]
+    note_lag(settings.dt, reference[0], u, s.docking)
+    note_brake(settings.dt, model, s.allocation.tau_c[0], u, u_r, s.docking)
     errors, z_force = s.pid.smooth, s.switching.now.tau_d[2]
-    note_tilt(settings.dt, model, navigation.eta[3], z_force, navigation.smooth_nu_r[0], s.docking)
+    note_tilt(settings.dt, model, navigation.eta[3], z_force, u_r, s.docking)
     trim_gains(settings.docking, model, navigation, reference[0], errors, z_force, view, s.docking, gains)

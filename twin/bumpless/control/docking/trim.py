@@ -2,9 +2,10 @@
 
 from math import copysign, sin, sqrt
 
+from bumpless.control.docking.surge import surge_drag, surge_mass
 from bumpless.jit import jit
 from bumpless.physics.actuators import FIN
-from bumpless.physics.actuators.fin import wrench
+from bumpless.physics.actuators.fin import wrench, yaw_damping
 from bumpless.physics.lag import lag
 
 _TURNING = 0.1  # rad of heading error above which nothing is learnt of the yaw trim
@@ -31,8 +32,18 @@ def surge_feed(settings, model, u_d, u_dot, nu_c):
     X = (X_u + X_uu |u_r|) u_r + (m - X_u') u_d', with u_r = u_d - nu_c; nu_c: the water's speed ahead, m/s.
     """
     u_r = u_d - nu_c
-    drag = (model.D_linear[0, 0] + model.D_quadratic[0, 0] * abs(u_r)) * u_r
-    return settings.forward_feed * (drag + (model.M_RB[0, 0] + model.M_A[0, 0]) * u_dot)
+    return settings.forward_feed * (surge_drag(model, u_r) + surge_mass(model) * u_dot)
+
+
+@jit
+def turn_feed(settings, model, u_r, damping, r_d):
+    """Moment about z_b that a turn at r_d, rad/s, asks for, N m: of the hull, of fins that meet the turn's flow,
+    and what the PID takes for a turn that is not wanted. damping: its K_D, N m s/rad; u_r: m/s."""
+    drag = model.D_linear[5, 5] + model.D_quadratic[5, 5] * abs(r_d) + damping
+    for i in range(model.n_u):
+        if model.kind[i] == FIN:
+            drag += yaw_damping(model, i, u_r)
+    return settings.turn_feed * drag * r_d
 
 
 @jit
@@ -56,6 +67,8 @@ def trim_gains(settings, model, navigation, u_d, errors, z_force, view, docking,
         gains.K_I[5] = 0.0
     nu_c = navigation.nu[0] - navigation.smooth_nu_r[0]
     gains.ahead[0] = surge_feed(settings, model, u_d, docking.u_dot, nu_c)
+    u_r, damping = navigation.smooth_nu_r[0], gains.share[5] * gains.K_D[5]
+    gains.ahead[5] = turn_feed(settings, model, u_r, damping, docking.turn)
 
 
 @jit

@@ -10,7 +10,7 @@ from bumpless.contract.enums import (
     OFF_LINE,
     OVERSHOT,
 )
-from bumpless.control.docking.entry import nearer_side
+from bumpless.control.docking.entry import choose_way
 from bumpless.jit import jit
 
 _SHORT_BACK = 3.0  # m, way back for what a little room mends, and m more per m of offset:
@@ -32,10 +32,10 @@ def begin_approach(cycle, docking):
 
 
 @jit
-def begin_entry(cycle, settings, eta, point, docking):
+def begin_entry(cycle, settings, plan, navigation, point, docking):
     """Fly round to the beginning of the approach line; point (3,): the observation point, NED."""
     enter(cycle, ENTRY, docking)
-    docking.side = nearer_side(settings, eta, point, docking.heading)
+    choose_way(settings, plan, navigation, point, docking)
 
 
 @jit

@@ -151,6 +151,16 @@ def wrench(model, i, u, nu_r):
 
 
 @inline
+def yaw_damping(model, i, u):
+    """-dN/dr of fin i at rest in a flow u along x_b, m/s: what it takes from a turn, N m s/rad.
+
+    Attached flow: a lever x meets the turn's flow r x at the angle r x / u, and its lift slope does the rest.
+    """
+    lever = model.position[i, 0] * model.direction[i, 1]
+    return 0.5 * model.rho * model.fin_area[i] * model.C_La[i] * abs(u) * lever * lever
+
+
+@inline
 def to_x(model, i, command):
     """Decision variable of a deflection, rad."""
     return command / model.command_max[i]
