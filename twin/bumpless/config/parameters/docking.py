@@ -42,7 +42,7 @@ class DockingParameters:
     entry_distance_m: Annotated[float, way("Where the approach line begins", "entry_distance")] = 14.0
     turn_radius_m: Annotated[
         float, Number("Turning radius of the way round", "m", 0.1, 200.0, record="turn_radius")
-    ] = 7.0
+    ] = 6.0
     keep_out_m: Annotated[
         float,
         Number("Distance kept from the dock in F", "m", 0.0, 200.0, record="keep_out",
@@ -188,7 +188,7 @@ class DockingParameters:
     forward_feed: Annotated[float, share("Drag and inertia fed forward in surge", "forward_feed")] = 1.0
     turn_feed: Annotated[
         float, share("Drag of a turn fed forward", "turn_feed", "Under way: of the hull and of its fins.")
-    ] = 0.8
+    ] = 0.6
     slow_worth: Annotated[
         float,
         Number("Largest factor on Q of pitch and yaw in slow flow", "", 1.0, 1e6, record="slow_worth"),
