@@ -11,6 +11,7 @@ from bumpless.jit import jit
 from bumpless.physics.frames import direction, wrap
 
 _LITTLE = 0.5  # rad of turn too much that is made up on the line
+_SWEPT = 0.6  # of the keep-out radius: a turn that leads nearer is taken the other way
 _PUSH = 2.0  # rad outwards for a vehicle in the middle of a circle it should keep out of
 
 
@@ -85,7 +86,7 @@ def bow_side(psi, bearing):
 
 @jit
 def turns_into(settings, keep, psi, bearing, off, heading):
-    """Whether the turn from psi to `heading`, rad, sweeps the bow over the dock and leads into the circle.
+    """Whether the turn from psi to `heading`, rad, sweeps the bow over the dock, deep into the circle.
 
     The heading may be clear of the dock, and the turn to it lead through. bearing, off: of the target.
     """
@@ -93,7 +94,7 @@ def turns_into(settings, keep, psi, bearing, off, heading):
     if bow * (bow + turn) >= 0.0:
         return False
     to_centre = off * sin(-bow) - (radius if turn >= 0.0 else -radius)
-    return abs(hypot(off * cos(bow), to_centre) - radius) < keep
+    return abs(hypot(off * cos(bow), to_centre) - radius) < _SWEPT * keep
 
 
 @jit
