@@ -43,7 +43,7 @@ def test_the_rim_is_felt_all_along_the_flank(station):
     c, s = np.cos(-0.3), np.sin(-0.3)  # the bow to the dock's middle: nothing but the rim is near
     eta = [-station * c, 0.5 - 0.095 / c - station * s, 0.0, 0.0, 0.0, -0.3]
     out = touch(dock(tube_radius=0.49), eta)
-    assert 0.98 < out["wrench"][1] / (-0.005 * 5000.0) < 1.6  # more where a ring touches too
+    assert 0.98 < out["wrench"][1] / (-0.005 * 5000.0) < 2.5  # more where a ring touches too
 
 
 def test_from_behind_the_dock_is_closed():
