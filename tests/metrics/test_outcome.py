@@ -5,7 +5,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-
 from scipy.spatial.transform import Rotation
 
 from bumpless.config.vehicle import Fin, Vehicle
@@ -129,13 +128,13 @@ def test_through_the_docks_plane_is_a_collision_whatever_follows(
 def test_beside_the_dock_is_no_collision(make_run: MakeRun, ts100: Vehicle) -> None:
     """The dock has an edge: past it the closest approach is told, and nothing else.
 
-    1 m to the side, the hull's radius of 0.1 m, and the thrusters 0.41 m abeam of the hull.
+    1 m to the side, and the thrusters, 0.107 m wide, 0.41 m abeam of the hull.
     """
-    outcome = outcome_of(on_a_line(make_run, 1.52), ts100, "completed")
-    assert (outcome.ending, outcome.closest_m) == (Ending.TIME_OVER, pytest.approx(1.52))
-    assert outcome_of(on_a_line(make_run, 1.5), ts100, "completed").ending == "collided"
+    outcome = outcome_of(on_a_line(make_run, 1.47), ts100, "completed")
+    assert (outcome.ending, outcome.closest_m) == (Ending.TIME_OVER, pytest.approx(1.47))
+    assert outcome_of(on_a_line(make_run, 1.46), ts100, "completed").ending == "collided"
     wide = Body(width_m=2.1)
-    assert outcome_of(on_a_line(make_run, 1.52), ts100, "completed", body=wide).ending == "collided"
+    assert outcome_of(on_a_line(make_run, 1.47), ts100, "completed", body=wide).ending == "collided"
 
 
 def test_the_dock_has_a_length(make_run: MakeRun, ts100: Vehicle) -> None:
@@ -228,7 +227,7 @@ def test_every_ending_is_the_contracts() -> None:
 def test_speed_counts_against_a_target_that_moves(
     make_run: MakeRun, ts100: Vehicle, with_it: bool, ending: Ending
 ) -> None:
-    """Protects: a hull that swings with a hung dock is still, one that stands while the dock swings is not."""
+    """Protects: a hull that swings with a hung dock is still, one that stands while it swings is not."""
     time = 0.05 * np.arange(N)
     sway, rate = 0.05 * np.sin(1.5 * time), 0.075 * np.cos(1.5 * time)
     target = np.tile([10.5, 0.0, 5.0], (N, 1))
