@@ -22,7 +22,7 @@ MODEL = build_model(TS100)
 STRIPS = HullStrips(TS100.hull)  # type: ignore[arg-type]
 
 
-def lost(eta, model=MODEL, **sea) -> np.ndarray:
+def lost(eta, model=MODEL, **sea: float) -> np.ndarray:
     environment, tau = np.zeros(1, ENVIRONMENT)[0], np.zeros(6)
     for name, value in sea.items():
         environment[name] = value
@@ -63,10 +63,15 @@ def test_nothing_is_lost_below(phi, theta, psi):
 
 def test_a_crest_covers_and_a_trough_bares():
     """Protects: the surface that counts is the wave's."""
-    wave = {"wave_height": 0.2, "wave_period": 6.0}
     quarter = 9.80665 * 36.0 / (2.0 * np.pi) / 2.0  # m, half a wave on: the trough
-    assert lost([0.0, 0.0, 0.05, 0.0, 0.0, np.pi / 2], **wave)[2] < 1e-6 < lost([0.0, 0.0, 0.05, 0, 0, 0])[2]
-    assert lost([quarter, 0.0, 0.05, 0.0, 0.0, np.pi / 2], **wave)[2] > 0.5 * float(MODEL["buoyancy"])
+    assert (
+        lost([0.0, 0.0, 0.05, 0.0, 0.0, np.pi / 2], wave_height=0.2, wave_period=6.0)[2]
+        < 1e-6
+        < lost([0.0, 0.0, 0.05, 0, 0, 0])[2]
+    )
+    assert lost([quarter, 0.0, 0.05, 0.0, 0.0, np.pi / 2], wave_height=0.2, wave_period=6.0)[2] > 0.5 * float(
+        MODEL["buoyancy"]
+    )
 
 
 @pytest.mark.parametrize("name", ["ts100", "bluerov2_heavy"])
