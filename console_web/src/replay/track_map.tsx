@@ -1,10 +1,14 @@
 // Where the vehicle was, seen from above: path, track in its modes' colours, vehicle, target.
 import { Mode } from "../gen/bumpless_pb";
+import { paintHeld } from "../lib/held_ring";
 import { modeLook } from "../lib/modes";
 import { colour, font, typeSize } from "../lib/theme";
+import { heldNow } from "../live/station";
 import { screen } from "../stream/screen";
 import { Canvas } from "../ui/canvas";
 import { Panel } from "../ui/panel";
+
+const RING_PX = 46;
 
 type Point = [north: number, east: number];
 
@@ -42,6 +46,11 @@ function paint(g: CanvasRenderingContext2D, width: number, height: number): void
     }
     line(g, points, mode === Mode.UNSPECIFIED ? colour("--line-2") : modeLook(mode).colour);
     from = i;
+  }
+  const held = screen.isLive ? heldNow.value : undefined;
+  if (held && target?.positionNedM) {
+    const [x, y] = at([target.positionNedM.x, target.positionNedM.y]);
+    paintHeld(g, held, { x, y, radius: Math.min(RING_PX, height / 6), turn: 0 });
   }
   for (const mark of marks) dot(g, at(mark), colour("--reference"));
   const nav = screen.latest("tlm/navigation");
