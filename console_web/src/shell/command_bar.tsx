@@ -54,7 +54,6 @@ export function CommandBar() {
       <section class="commandbar" aria-label="Mission control" ref={bar}>
         <Progress />
         <ControlChip />
-        <span class="grow" />
         {view.value === "live" && (
           <span data-aside>
             <Segments
@@ -145,14 +144,12 @@ function Progress() {
         )}
       </span>
       {!status?.missionName && (
-        <span class="muted">
-          {phase.value === MissionPhase.UNSPECIFIED
-            ? "Waiting for the vehicle."
-            : "No mission loaded. Choose one and start it."}
+        <span class="muted ellipsis">
+          {phase.value === MissionPhase.UNSPECIFIED ? "Waiting for the vehicle." : "No mission loaded."}
         </span>
       )}
       {status?.missionName && (
-        <span class="mission-name" title={`Run ${status.runId || "–"}, seed ${status.seed}`}>
+        <span class="mission-name ellipsis" title={`Run ${status.runId || "–"}, seed ${status.seed}`}>
           {status.missionName}
         </span>
       )}
@@ -252,6 +249,7 @@ function Chooser({ why }: { why: string }) {
         <span class="muted">Seed</span>
         <input
           inputMode="numeric"
+          aria-label="Seed"
           placeholder="auto"
           aria-invalid={seedRefused.value}
           title="Seed of the simulated sensors and sea; empty: the mission's own"

@@ -41,7 +41,7 @@ def test_in_and_out(server: Running) -> None:
         assert http.post("/api/logout").status_code == 204
         assert httpx.get(f"{server.url}/api/me", cookies=cookie).status_code == 401
     entries = [(one["verb"], one["author"]) for one in server.console.audit.entries()]
-    assert entries == [("log_in", "otto"), ("log_out", "otto")]
+    assert entries == [("log_in", "otto"), ("log_out", "otto"), ("turned_away", "")]
 
 
 def test_wrong_guesses_are_few_counted_and_slowed(server: Running) -> None:

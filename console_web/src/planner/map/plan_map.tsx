@@ -171,9 +171,12 @@ function MapTools() {
         type="button"
         class="action small"
         aria-pressed={dockUp.value}
-        disabled={!mission.value.dock}
-        title="Turn the picture so that the approach points up"
+        aria-disabled={!mission.value.dock}
+        title={
+          mission.value.dock ? "Turn the picture so that the approach points up" : "No dock is placed yet"
+        }
         onClick={() => {
+          if (!mission.peek().dock) return;
           dockUp.value = !dockUp.peek();
           showAll();
         }}
