@@ -9,6 +9,7 @@ import { Canvas } from "../ui/canvas";
 import { Panel } from "../ui/panel";
 
 const RING_PX = 46;
+const EDGE_PX = 14; // kept free all round
 
 type Point = [north: number, east: number];
 
@@ -33,7 +34,9 @@ function paint(g: CanvasRenderingContext2D, width: number, height: number): void
     const point: Point = [north?.[i] ?? Number.NaN, east?.[i] ?? Number.NaN];
     if (Number.isFinite(point[0])) track.push(point);
   }
-  const at = framing([...path, ...marks, ...track], width, height);
+  const held = screen.isLive ? heldNow.value : undefined;
+  const ring = held ? Math.min(RING_PX, height / 6) : 0;
+  const at = framing([...path, ...marks, ...track], width, height, ring + EDGE_PX);
   if (!at) return;
   line(g, path.map(at), colour("--ink-2"), [4, 4]);
   let from = 0;
@@ -47,10 +50,9 @@ function paint(g: CanvasRenderingContext2D, width: number, height: number): void
     line(g, points, mode === Mode.UNSPECIFIED ? colour("--line-2") : modeLook(mode).colour);
     from = i;
   }
-  const held = screen.isLive ? heldNow.value : undefined;
   if (held && target?.positionNedM) {
     const [x, y] = at([target.positionNedM.x, target.positionNedM.y]);
-    paintHeld(g, held, { x, y, radius: Math.min(RING_PX, height / 6), turn: 0 });
+    paintHeld(g, held, { x, y, radius: ring, turn: 0 });
   }
   for (const mark of marks) dot(g, at(mark), colour("--reference"));
   const nav = screen.latest("tlm/navigation");
@@ -63,13 +65,19 @@ function paint(g: CanvasRenderingContext2D, width: number, height: number): void
 }
 
 /** All of it in the picture, to one scale, north up. */
-function framing(all: Point[], width: number, height: number): ((p: Point) => [number, number]) | undefined {
+function framing(
+  all: Point[],
+  width: number,
+  height: number,
+  edge: number,
+): ((p: Point) => [number, number]) | undefined {
   if (!all.length) return undefined;
   const norths = all.map(([n]) => n);
   const easts = all.map(([, e]) => e);
   const [n0, n1] = [Math.min(...norths), Math.max(...norths)];
   const [e0, e1] = [Math.min(...easts), Math.max(...easts)];
-  const scale = 0.86 * Math.min(width / Math.max(e1 - e0, 4), height / Math.max(n1 - n0, 4));
+  const room = (size: number): number => Math.max(size / 2, size - 2 * edge);
+  const scale = Math.min(room(width) / Math.max(e1 - e0, 4), room(height) / Math.max(n1 - n0, 4));
   return ([n, e]) => [width / 2 + (e - (e0 + e1) / 2) * scale, height / 2 - (n - (n0 + n1) / 2) * scale];
 }
 

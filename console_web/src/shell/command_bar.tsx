@@ -118,6 +118,12 @@ function judged(runId: string | undefined): Event | undefined {
   return live.events.find(({ code, details }) => code === "outcome" && details.run?.startsWith(runId));
 }
 
+/** "Docked: held in hover ..." without the word that stands before it already. */
+function withoutWord(text: string, word: string): string {
+  const rest = word && text.toLowerCase().startsWith(`${word}: `) ? text.slice(word.length + 2) : text;
+  return capital(rest);
+}
+
 function capital(word: string): string {
   return word.charAt(0).toUpperCase() + word.slice(1);
 }
@@ -126,12 +132,13 @@ function Progress() {
   const status = live.latest("tlm/mission");
   const outcome = judged(status?.runId);
   const ending = endingNamed(outcome?.details.ending);
-  const ended = outcome?.text ?? status?.endReason;
+  const ended = withoutWord(outcome?.text ?? status?.endReason ?? "", ending?.word ?? "");
   return (
     <div class="mission-now" data-state={live.isFresh("tlm/mission") ? "fresh" : "stale"}>
       <span
         class="chip phase"
         data-look={ending?.look ?? PHASE_LOOKS[phase.value] ?? "idle"}
+        title={flying.value ? undefined : ended || undefined}
         role="status"
         aria-label="Mission phase"
       >
@@ -158,7 +165,7 @@ function Progress() {
       )}
       <After />
       {status?.missionName && !flying.value && ended && (
-        <span class="muted ellipsis" title={ended}>
+        <span class="muted ellipsis why-ended" title={ended}>
           {ended}
         </span>
       )}

@@ -94,7 +94,7 @@ def test_engineers_make_change_and_remove_accounts(server: Running) -> None:
         assert erna.delete("/api/users/nina").status_code == 404
         assert erna.delete("/api/users/erna").status_code == 409
         verbs = [one["verb"] for one in erna.get("/api/audit").json()]
-        assert verbs[:3] == ["remove_user", "change_user", "log_in"]
+        assert verbs[:4] == ["remove_user", "turned_away", "change_user", "log_in"]
         assert PASSWORD not in erna.get("/api/audit.jsonl").text
 
 
