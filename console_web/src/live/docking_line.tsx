@@ -24,6 +24,12 @@ function words(reason: WaveOffReason): string {
   return (WaveOffReason[reason] ?? `reason ${reason}`).replaceAll("_", " ").toLowerCase();
 }
 
+/** The age of a fix that never was counts from the start. */
+function lastSeen({ fixAgeS, stamp }: Supervisor): string {
+  const never = stamp !== undefined && fixAgeS >= stamp.missionTimeS - 0.5;
+  return never ? "target not seen yet" : `target last seen ${age(fixAgeS)} ago`;
+}
+
 export function DockingLine({ supervisor: s }: { supervisor: Supervisor }) {
   if (s.dockingStage === DockingStage.UNSPECIFIED || !inForce.value) return null;
   const approach = s.dockingTries > 0 && `approach ${s.dockingTries} of ${s.dockingTriesMost}`;
@@ -33,7 +39,7 @@ export function DockingLine({ supervisor: s }: { supervisor: Supervisor }) {
       {approach && <span class="num">{approach}</span>}
       <span class="muted num">heading {headingOf(s.approachHeadingDeg, 0).padStart(3, "0")}°</span>
       {screen.isLive && <Holds />}
-      {s.fixAgeS > FRESH_FIX_S && <span class="muted num">target last seen {age(s.fixAgeS)} ago</span>}
+      {s.fixAgeS > FRESH_FIX_S && <span class="muted num">{lastSeen(s)}</span>}
       {s.waveOffReason !== WaveOffReason.UNSPECIFIED && (
         <span class="wave-off">waved off: {words(s.waveOffReason)}</span>
       )}

@@ -92,7 +92,10 @@ function ring(c: Ctx, s: Scene, { at, metres, ink, dash, label, towards }: Ring)
   if (radius < 34) return;
   const way = angle(s, towards);
   const [lx, ly] = [x + (radius + 5) * Math.cos(way), y + (radius + 5) * Math.sin(way)];
-  text(c, label, lx, ly + 3, ink, 400, { size: "--text-2xs", align: Math.cos(way) < 0 ? "right" : "left" });
+  text(c, label, lx, ly + 3, "--ink-2", 400, {
+    size: "--text-2xs",
+    align: Math.cos(way) < 0 ? "right" : "left",
+  });
 }
 
 function paintCone(c: Ctx, s: Scene, dock: { heading: number }, end: Ned, f: Figures): void {
