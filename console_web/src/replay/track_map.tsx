@@ -43,11 +43,16 @@ function paint(g: CanvasRenderingContext2D, width: number, height: number): void
   for (let i = 1; i <= end; i++) {
     if (i < end && screen.history.mode[i] === screen.history.mode[from]) continue;
     const mode = screen.history.mode[from] as Mode;
-    const points = [];
+    let points: [number, number][] = [];
+    const ink = mode === Mode.UNSPECIFIED ? colour("--line-2") : modeLook(mode).colour;
     for (let k = from; k < Math.min(i + 1, end); k++) {
       if (Number.isFinite(north?.[k])) points.push(at([north?.[k] as number, east?.[k] as number]));
+      else {
+        line(g, points, ink); // what follows is no neighbour: it was put there, or nobody saw the way
+        points = [];
+      }
     }
-    line(g, points, mode === Mode.UNSPECIFIED ? colour("--line-2") : modeLook(mode).colour);
+    line(g, points, ink);
     from = i;
   }
   if (held && target?.positionNedM) {
