@@ -183,7 +183,8 @@ function Clock() {
       title={`Show ${next === "UTC" ? "UTC" : "local time"} everywhere`}
       onClick={() => setZone(next)}
     >
-      {timeOfDay(now)} {zoneName(now)}
+      {timeOfDay(now).slice(0, 5)}
+      <span class="seconds">{timeOfDay(now).slice(5)}</span> {zoneName(now)}
     </button>
   );
 }

@@ -168,7 +168,7 @@ class Stream:
                 samples = client.take()
                 paced = [sample.receive_ns for sample in samples if sample.topic == PLOTTED[0]]
                 if client.replaced > replaced and paced and told_ns:
-                    # it was late, or this process was: its plots are filled as those of one that has just come
+                    # it was late, or this process was: its plots are filled as a new browser's are
                     for cycle in self.past(told_ns, paced[0]):
                         await send(frame_of(cycle, past=True))
                 replaced, told_ns = client.replaced, max([told_ns, *paced])
