@@ -785,7 +785,7 @@ export interface paths {
         put?: never;
         /**
          * Change
-         * @description Pause, resume or abort.
+         * @description Pause, resume, surface or abort.
          */
         post: operations["change_api_mission__verb__post"];
         delete?: never;
@@ -3194,7 +3194,7 @@ export interface components {
         };
         /**
          * HeldStation
-         * @description On which headings station is held before the target in a current, by the rule of the mission's check.
+         * @description On which headings station is held before the target in a current, by the rule of the check.
          */
         HeldStation: {
             /** Arcs */

@@ -1,5 +1,6 @@
 // Second line, on every view: what flies, how far it is, and the four commands. Abort stands
 // apart at the far end and wants to be held.
+import { computed } from "@preact/signals";
 import { useRef } from "preact/hooks";
 import { barred, commands, OBSERVES } from "../access/control";
 import { ControlChip } from "../access/control_chip";
@@ -14,7 +15,7 @@ import { live } from "../stream/store";
 import { ActButton } from "../ui/act_button";
 import { endingNamed } from "../ui/endings";
 import { HoldButton } from "../ui/hold_button";
-import { PauseIcon, PlayIcon, StopIcon } from "../ui/icons";
+import { PauseIcon, PlayIcon, RiseIcon, StopIcon } from "../ui/icons";
 import { useKeptFocus } from "../ui/keep_focus";
 import { ProblemTable, RefusalNotice } from "../ui/refusal";
 import { Segments } from "../ui/segments";
@@ -75,6 +76,18 @@ export function CommandBar() {
             {paused ? <PlayIcon /> : <PauseIcon />} {paused ? "Resume" : "Hold"}
           </ActButton>
         )}
+        {inControl.value && (
+          <HoldButton
+            name="Surface"
+            class="surface"
+            holdMs={600}
+            why={why || barred.value}
+            title="Press and hold: gives the mission a rest and holds at the surface; it can be resumed"
+            onHeld={() => void command("surface")}
+          >
+            <RiseIcon /> Surface
+          </HoldButton>
+        )}
         <HoldButton
           name="Abort mission"
           class="abort"
@@ -90,6 +103,9 @@ export function CommandBar() {
     </>
   );
 }
+
+/** A mission is flown, or is over and station is held: there is somebody who can bring it up. */
+const inControl = computed(() => flying.value || phase.value === MissionPhase.COMPLETED);
 
 /** While an actuator may move, it can be aborted. */
 function whyNoAbort(): string {
