@@ -1,5 +1,7 @@
 """The bar over every view stays one row from a tablet's width on, whatever it has to say."""
 
+import re
+
 import pytest
 from playwright.sync_api import Page, expect
 
@@ -22,6 +24,12 @@ STATES = {
         ("tlm/mission", ENDED),
     ],
 }
+WORST = [
+    *flight.server_status(recording=True),
+    ("tlm/health", pb.Health(stamp=flight.stamp(10.0), missed_cycles=105)),
+    *flight.cycle(10.0),
+    *flight.mission_status(10.0),
+]
 INSIDE = """() => { const bar = document.querySelector(".commandbar").getBoundingClientRect();
   const parts = [...document.querySelectorAll(".commandbar > *")].map((one) => one.getBoundingClientRect());
   return { high: bar.height, apart: parts.every((a, i) => i === 0 || a.left >= parts[i - 1].right - 1),
@@ -41,3 +49,13 @@ def test_the_bar_is_one_row_and_nothing_in_it_overlaps(
     bar = console.evaluate(INSIDE)
     assert bar["high"] < ROW_PX
     assert bar["apart"] and bar["within"], bar
+
+
+def test_the_header_is_one_row_at_a_tablet_s_width(console: Page, server: ContractServer) -> None:
+    """Protects the time with its zone, which was left out there, and the views below from a second row."""
+    console.set_viewport_size({"width": 1024, "height": 768})
+    server.keep_saying(WORST)
+    header = console.get_by_role("banner")
+    expect(header).to_contain_text(re.compile(r"\b105\b"))
+    expect(header.get_by_role("button", name="UTC")).to_be_visible()
+    assert header.evaluate("one => one.getBoundingClientRect().height") < ROW_PX
