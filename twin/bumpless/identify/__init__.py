@@ -13,4 +13,14 @@ from bumpless.identify.fit import Estimate, Found, identify
 from bumpless.identify.flight import Flight, flight_of
 from bumpless.identify.learned import Change, changes, learned, learned_text
 
-__all__ = ["Change", "Estimate", "Flight", "Found", "changes", "flight_of", "identify", "learned", "learned_text"]
+__all__ = [
+    "Change",
+    "Estimate",
+    "Flight",
+    "Found",
+    "changes",
+    "flight_of",
+    "identify",
+    "learned",
+    "learned_text",
+]

@@ -7,6 +7,7 @@ from math import sqrt
 import numpy as np
 
 from bumpless.config.vehicle import Vehicle
+from bumpless.control.navigation import T_VELOCITY
 from bumpless.identify.flight import Flight
 from bumpless.identify.forces import forces_of
 from bumpless.identify.momentum import (
@@ -20,8 +21,7 @@ from bumpless.identify.momentum import (
     filtered,
     steps_of,
 )
-from bumpless.identify.scales import Scale, scales_of
-from bumpless.control.navigation import T_VELOCITY
+from bumpless.identify.scales import DRAG_ALONG, THRUST, Scale, scales_of
 from bumpless.physics.model import build_model
 
 DOUBT = 2.0  # by which the filter's own deviation is too small: its errors are not as white as it takes them
@@ -63,12 +63,17 @@ class Found:
 
     estimates: tuple[Estimate, ...]
     flown_s: float  # of flight that could be used
-    left_out_s: float  # after a fault, or with a number that is none
+    left_out_s: float  # disturbed, or with a number that is none
+
+    def sound(self, one: Estimate) -> bool:
+        """Whether it, and what it is weighed against, was the same all the time: thrust against drag."""
+        against = DRAG_ALONG if one.scale.what == THRUST else one.scale.what
+        return one.steady and all(e.steady for e in self.estimates if e.scale.what == against)
 
     @property
     def factors(self) -> Mapping[Scale, float]:
-        """What may be written down: told, and the same all the time."""
-        return {one.scale: one.value for one in self.estimates if one.told and one.steady}
+        """What may be written down: told, and sound."""
+        return {one.scale: one.value for one in self.estimates if one.told and self.sound(one)}
 
 
 def identify(flights: Sequence[Flight], vehicle: Vehicle) -> Found:
@@ -101,11 +106,11 @@ def identify(flights: Sequence[Flight], vehicle: Vehicle) -> Found:
 
 
 def _estimate(i: int, scale: Scale, found: Gaussian, halves: Sequence[Gaussian]) -> Estimate:
-    std = sqrt(DOUBT**2 * found.covariance[i, i] + LEAST_STD**2)
-    variances = [half.covariance[i, i] for half in halves]
+    std = sqrt(DOUBT**2 * float(found.covariance[i, i]) + LEAST_STD**2)
+    variances = [float(half.covariance[i, i]) for half in halves]
     apart = 0.0
     if len(halves) == 2 and all(sqrt(v) <= KNOWN_SHARE * scale.prior_std for v in variances):
-        apart = abs(halves[0].mean[i] - halves[1].mean[i]) / (DOUBT * sqrt(sum(variances)))
+        apart = abs(float(halves[0].mean[i] - halves[1].mean[i])) / (DOUBT * sqrt(sum(variances)))
     return Estimate(scale, 1.0 + float(found.mean[i]), std, apart)
 
 

@@ -8,12 +8,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bumpless.config.vehicle import Vehicle
+from bumpless.contract.enums import CAPTURED, CREEP
 from bumpless.contract.units import EDGE_PER_SI
 
 if TYPE_CHECKING:
     from bumpless.runs.run import Run
 
 Array = NDArray[np.float64]
+TOUCHING = ("CREEP", "CAPTURED")  # the same in the contract's words
 
 
 @dataclass(frozen=True)
@@ -25,14 +27,16 @@ class Flight:
     nu: Array  # (n, 6) velocity over ground as estimated
     current: Array  # (n, 3) NED, as estimated
     u: Array  # (n, 8) measured states of the actuators, unused slots zero
-    faulty: NDArray[np.bool_]  # (n,) whether the autopilot knew of a fault
+    disturbed: NDArray[np.bool_]  # (n,) after a fault that the autopilot knew of, or where a dock may touch
 
     @classmethod
     def from_log(cls, rows: NDArray[Any], n_u: int) -> Self:
         """From LOG rows of a vehicle with n_u commands."""
         faulty = (rows["faults"] != 0) | np.any(rows["effectiveness_hat"][:, :n_u] < 1.0, axis=1)
+        touching = np.isin(rows["stage"], (CREEP, CAPTURED))
         names = ("cycle", "eta_hat", "nu_hat", "current_hat", "u_feedback")
-        return cls(*(np.ascontiguousarray(rows[name]) for name in names), faulty=_from_then_on(faulty))
+        columns = (np.ascontiguousarray(rows[name]) for name in names)
+        return cls(*columns, disturbed=_from_then_on(faulty) | touching)
 
     @classmethod
     def from_table(cls, table: Mapping[str, NDArray[Any]], vehicle: Vehicle) -> Self:
@@ -60,7 +64,7 @@ class Flight:
             nu=np.hstack([vector("velocity_body_mps."), rates]),
             current=vector("current_estimate_ned_mps."),
             u=u,
-            faulty=_from_then_on(faulty),
+            disturbed=_from_then_on(faulty) | np.isin(table["supervisor.docking_stage"], TOUCHING),
         )
 
     def __len__(self) -> int:
@@ -72,9 +76,9 @@ class Flight:
 
     @property
     def usable(self) -> "Flight":
-        """Without what isn't finite, and without all that follows a fault: its loss is no scale."""
+        """Without what isn't finite or is disturbed: neither a fault's loss nor a dock's force is a scale."""
         numbers = np.hstack([self.eta, self.nu, self.current, self.u])
-        return self[np.isfinite(numbers).all(axis=1) & ~self.faulty]
+        return self[np.isfinite(numbers).all(axis=1) & ~self.disturbed]
 
 
 def flight_of(run: "Run") -> Flight:

@@ -18,6 +18,8 @@ from bumpless.physics.lag import lag
 
 Array = NDArray[np.float64]
 FLOW_MPS = 0.05  # by which the flow along a fin may be other than estimated; its force goes with the square
+
+
 @dataclass(frozen=True)
 class Forces:
     """One row per control cycle; N and N m, as late as the estimate of velocity over ground is."""

@@ -13,8 +13,13 @@ from bumpless.config.vehicle.parts import Fin
 from bumpless.physics.model import first_slots
 
 THRUST, LIFT, DRAG_ALONG, DRAG_ACROSS = "thrust", "lift", "drag along", "drag across"
-FIELDS = {THRUST: ("T_nn", "T_nn_reverse", "T_nv"), LIFT: ("C_La",)}  # of MODEL
-PRIOR_STD = {THRUST: 0.15, LIFT: 0.3, DRAG_ALONG: 0.2, DRAG_ACROSS: 0.2}  # of what a new vehicle may differ by
+MODEL_FIELDS = {THRUST: ("T_nn", "T_nn_reverse", "T_nv"), LIFT: ("C_La",)}
+PRIOR_STD = {
+    THRUST: 0.15,
+    LIFT: 0.3,
+    DRAG_ALONG: 0.2,
+    DRAG_ACROSS: 0.2,
+}  # of what a new vehicle may differ by
 DAMPING = ("D_linear", "D_quadratic", "D_lift")
 
 
@@ -39,8 +44,8 @@ class Scale:
     def applied(self, model: np.record, factor: float) -> np.record:
         """A copy of a MODEL record with this scale."""
         out = model.copy()
-        if self.what in FIELDS:
-            for name in FIELDS[self.what]:
+        if self.what in MODEL_FIELDS:
+            for name in MODEL_FIELDS[self.what]:
                 out[name][list(self.slots)] *= factor
             return out
         for name in DAMPING:
