@@ -81,10 +81,10 @@ def faults(numbers: Sequence[int], learned: bool, workers: int = 1) -> str:
     whole, broken = flown("S7-healthy"), flown("S7")
     false = sum(one.false_alarms > 0 for one in whole)
     right = [one for one in broken if one.isolated and one.delay_s >= 0.0]
+    delay, error = (np.median([getattr(one, name) for one in right]) for name in ("delay_s", "error"))
     return (
-        f"S7 on {len(plants)} plants {'learned' if learned else 'as drawn'}: "
-        f"{false} flights with a false alarm, {len(right)} faults named rightly, after {np.median([one.delay_s for one in right]):.1f} s, "
-        f"share off by {np.median([one.error for one in right]):.3f} (medians)"
+        f"S7 on {len(plants)} plants {'learned' if learned else 'as drawn'}: {false} flights with a false "
+        f"alarm, {len(right)} faults named rightly, after {delay:.1f} s, share off by {error:.3f} (medians)"
     )
 
 
