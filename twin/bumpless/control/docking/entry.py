@@ -14,21 +14,23 @@ _LITTLE = 0.5  # rad of turn too much that is made up on the line
 _FARTHER = 5  # places where the line may be joined, half a turning radius apart
 _TIGHT = 0.8  # of the turning radius: the first turn leads nowhere in particular, and is flown as it comes
 _NO_WAY = 1e6  # m
+_SWEPT = 0.6  # of the keep-out radius: a turn that leads nearer is taken the other way
 _PUSH = 2.0  # rad outwards for a vehicle in the middle of a circle it should keep out of
 
 
 @jit
-def choose_way(settings, plan, navigation, point, docking):
+def choose_way(settings, keep, eta, target, point, docking):
     """Choose the shortest way round that can be flown: docking.side, 1 clockwise or -1, and docking.farther,
     by how much sooner than `entry_distance` the line is joined, m.
 
     Each is a turn from where the vehicle heads, a straight way and the turn on to the line (Dubins 1957). Two
     turns of opposite hands need room between their circles: where there is too little, joining farther out
-    gives it, or else the vehicle would swing past the line and back. point (3,): the observation point, NED.
+    gives it, or else the vehicle would swing past the line and back. keep: radius of the keep-out circle about
+    the target (3,), m; point (3,): the observation point, NED.
+    Returns the length of the way to where the line begins at the latest, m.
     """
-    eta, radius = navigation.eta, settings.turn_radius
-    keep = keep_out(settings, plan)
-    bearing, off, _ = tangent(keep, eta, navigation.target)
+    radius = settings.turn_radius
+    bearing, off, _ = tangent(keep, eta, target)
     near = off < keep + 2.0 * radius
     docking.side, docking.farther = 1, 0.0
     best = 1e9
@@ -42,6 +44,7 @@ def choose_way(settings, plan, navigation, point, docking):
                 way = farther + way_round(radius, eta, cx, cy, docking.heading, side, hand, near, bearing)
                 if way < best:
                     best, docking.side, docking.farther = way, side, farther
+    return best
 
 
 @jit
@@ -110,7 +113,7 @@ def keep_out(settings, plan):
 
 
 @jit
-def clear_heading(keep, eta, target, heading, far):
+def clear_heading(settings, keep, eta, target, heading, far):
     """`heading` (rad) turned away from the keep-out circle about the target (3,), where it leads into it.
 
     keep: its radius, m; far: m to where the way leads; a dock behind that is no obstacle.
@@ -118,8 +121,29 @@ def clear_heading(keep, eta, target, heading, far):
     bearing, off, least = tangent(keep, eta, target)
     aside = wrap(heading - bearing)
     if abs(aside) < least and off < far + keep:
-        return bearing + (least if aside >= 0.0 else -least)
+        heading = bearing + (least if aside >= 0.0 else -least)
+    if turns_into(settings, keep, eta[5], bearing, off, heading):
+        return bearing + bow_side(eta[5], bearing) * least
     return heading
+
+
+@jit
+def bow_side(psi, bearing):
+    """The side of the dock that the bow points to: 1 with the dock to port, -1 with it to starboard."""
+    return 1 if wrap(psi - bearing) >= 0.0 else -1
+
+
+@jit
+def turns_into(settings, keep, psi, bearing, off, heading):
+    """Whether the turn from psi to `heading`, rad, sweeps the bow over the dock, deep into the circle.
+
+    The heading may be clear of the dock, and the turn to it lead through. bearing, off: of the target.
+    """
+    bow, turn, radius = wrap(psi - bearing), wrap(heading - psi), settings.turn_radius
+    if bow * (bow + turn) >= 0.0:
+        return False
+    to_centre = off * sin(-bow) - (radius if turn >= 0.0 else -radius)
+    return abs(hypot(off * cos(bow), to_centre) - radius) < _SWEPT * keep
 
 
 @jit
@@ -143,13 +167,17 @@ def clear_leg(settings, plan, navigation, leg, left, heading, docking):
     keep = keep_out(settings, plan)
     bearing, off, least = tangent(keep, eta, target)
     aside = wrap(heading - bearing)
-    past = abs(aside) >= max(least, 0.5 * pi) or off >= left + keep
-    if past or leg >= plan.n_legs - 1 or abs(eta[2] - target[2]) > settings.keep_out + plan.dock_half:
+    if leg >= plan.n_legs - 1 or abs(eta[2] - target[2]) > settings.keep_out + plan.dock_half:
         docking.passing = 0
         return heading
-    if docking.passing == 0 and abs(aside) < least:
+    if abs(aside) >= max(least, 0.5 * pi) or off >= left + keep:  # past, or the leg ends before it
+        docking.passing = 0
+    elif docking.passing == 0 and abs(aside) < least:
         docking.passing = 1 if aside >= 0.0 else -1
     if docking.passing * aside < least and docking.passing != 0:
+        heading = wrap(bearing + docking.passing * least)
+    if turns_into(settings, keep, eta[5], bearing, off, heading):
+        docking.passing = bow_side(eta[5], bearing)
         return wrap(bearing + docking.passing * least)
     return heading
 
@@ -159,7 +187,7 @@ def entry_references(settings, plan, navigation, point, docking):
     """(u goal, z goal, psi_d) on the way round; drift is made good by a crab angle."""
     eta, target, current = navigation.eta, navigation.target, navigation.current
     heading, far = circle_heading(settings, eta, point, docking)
-    heading = wrap(clear_heading(keep_out(settings, plan), eta, target, heading, far))
+    heading = wrap(clear_heading(settings, keep_out(settings, plan), eta, target, heading, far))
     along, across = along_across(current, heading)
     speed = plan.speed[plan.n_legs - 1]
     crab = asin(min(max(-across / speed, -settings.crab_far), settings.crab_far))

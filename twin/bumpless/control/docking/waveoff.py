@@ -10,7 +10,7 @@ from bumpless.contract.enums import (
     OFF_LINE,
     OVERSHOT,
 )
-from bumpless.control.docking.entry import choose_way
+from bumpless.control.docking.entry import choose_way, keep_out
 from bumpless.jit import jit
 
 _SHORT_BACK = 3.0  # m, way back for what a little room mends, and m more per m of offset:
@@ -35,7 +35,7 @@ def begin_approach(cycle, docking):
 def begin_entry(cycle, settings, plan, navigation, point, docking):
     """Fly round to the beginning of the approach line; point (3,): the observation point, NED."""
     enter(cycle, ENTRY, docking)
-    choose_way(settings, plan, navigation, point, docking)
+    choose_way(settings, keep_out(settings, plan), navigation.eta, navigation.target, point, docking)
 
 
 @jit
