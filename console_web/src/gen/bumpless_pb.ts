@@ -244,6 +244,8 @@ export type Guidance = Message<"bumpless.Guidance"> & {
   attitudeReference?: Attitude | undefined;
 
   /**
+   * to starboard of the leg, the approach line or the way round that is flown
+   *
    * @generated from field: double cross_track_error_m = 5;
    */
   crossTrackErrorM: number;

@@ -39,7 +39,7 @@ class DockingParameters:
     ] = False  # fmt: skip
     tries: Annotated[int, Number("Approaches in all", "", 1, 20, record="tries")] = 3
     # the approach line
-    entry_distance_m: Annotated[float, way("Where the approach line begins", "entry_distance")] = 14.0
+    entry_distance_m: Annotated[float, way("Where the approach line begins", "entry_distance")] = 15.5
     turn_radius_m: Annotated[
         float, Number("Turning radius of the way round", "m", 0.1, 200.0, record="turn_radius")
     ] = 6.0

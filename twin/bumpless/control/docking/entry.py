@@ -32,27 +32,29 @@ def choose_way(settings, keep, eta, target, point, docking):
     radius = settings.turn_radius
     bearing, off, _ = tangent(keep, eta, target)
     near = off < keep + 2.0 * radius
-    docking.side, docking.farther = 1, 0.0
-    best = 1e9
-    for k in range(2):
-        side = 1 - 2 * k
-        for step in range(_FARTHER):
-            farther = 0.5 * step * radius
+    best = _NO_WAY
+    for most in range(2):
+        for k in range(2 * _FARTHER):
+            side, farther = 1 - 2 * (k % 2), 0.5 * (k // 2) * radius
             cx, cy = circle_centre(settings, point, docking.heading, side, farther)
             for j in range(2):
                 hand = 1 - 2 * j
-                way = farther + way_round(radius, eta, cx, cy, docking.heading, side, hand, near, bearing)
-                if way < best:
-                    best, docking.side, docking.farther = way, side, farther
+                away = near and most == 0
+                way = way_round(radius, eta, cx, cy, docking.heading, side, hand, (1 + most) * pi, away, bearing)
+                if way + farther < best:
+                    best, docking.side, docking.farther = way + farther, side, farther
+        if best < _NO_WAY:
+            break  # else any way will do
     return best
 
 
 @jit
-def way_round(radius, eta, cx, cy, approach, side, hand, near, bearing):
+def way_round(radius, eta, cx, cy, approach, side, hand, most, away, bearing):
     """Length of the way to the line, m, by a first turn of this hand and the turn on to the line of this side,
-    about (cx, cy); long where the circles leave no room, and where the first turn sweeps over the dock.
+    about (cx, cy); none where the circles leave no room, where the first turn is greater than `most`, rad: the
+    autopilot turns the short way, and where it sweeps over the dock, at `bearing`, rad, and should stay away.
 
-    near: the dock is close, in the direction `bearing`, rad; approach: heading of the line, rad.
+    approach: heading of the line, rad.
     """
     tight = _TIGHT * radius
     dx = cx - eta[0] + hand * tight * sin(eta[5])
@@ -62,8 +64,8 @@ def way_round(radius, eta, cx, cy, approach, side, hand, near, bearing):
         return _NO_WAY
     heading = direction(dx, dy) - side * asin(between / apart)
     first, last = turn_by(hand, heading - eta[5]), turn_by(side, approach - heading)
-    if first > pi or (near and turn_by(hand, bearing - eta[5]) < first):
-        return _NO_WAY  # the autopilot turns the short way
+    if first > most or (away and turn_by(hand, bearing - eta[5]) < first):
+        return _NO_WAY
     return sqrt(apart * apart - between * between) + tight * first + radius * last
 
 
