@@ -141,12 +141,21 @@ def test_a_lost_target_is_backed_away_from_and_docked_at_on_the_second_try(ts100
     assert not hits(result.log, docking.target).any()
 
 
-def test_a_screw_with_a_fifth_of_its_thrust_still_stops_before_the_dock() -> None:
-    """Protects: a weak brake is seen while there is way left to stop in; this draw once ran through."""
-    case = draw_case(22020, "fault", "fixed")
+@pytest.mark.parametrize(
+    ("number", "heading"), [(22020, "fixed"), (710032, "fixed"), (720632, "into"), (720632, "some")]
+)
+def test_a_screw_with_a_fifth_of_its_thrust_still_stops_before_the_dock(number, heading) -> None:
+    """Protects: a weak brake is seen while there is way left to stop in; these draws once ran through."""
+    case = draw_case(number, "fault", heading)
     result = fly_case(case)
     assert not hits(result.log, case.mission.target).any()
     assert judge(case, result).why == "too slow"
+
+
+def test_a_way_round_from_the_hold_point_does_not_lead_over_the_dock() -> None:
+    """Protects: half a screw, a current from astern and a turn across the dock: this draw once ran through."""
+    case = draw_case(710000, "any", "some")
+    assert not hits(fly_case(case).log, case.mission.target).any()
 
 
 def test_what_cannot_be_held_is_given_up_and_held_clear_of(ts100, docking) -> None:
