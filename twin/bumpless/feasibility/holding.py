@@ -120,8 +120,13 @@ def spans(headings: np.ndarray, good: np.ndarray) -> str:
     """Arcs of headings, deg, in words: "070° to 110°, 300° to 010°"; good: one flag a heading, a circle."""
     if good.all():
         return "any heading"
+    found = arcs(headings, good)
+    return ", ".join(f"{a:03.0f}°" if a == b else f"{a:03.0f}° to {b:03.0f}°" for a, b in found)
+
+
+def arcs(headings: np.ndarray, good: np.ndarray) -> list[tuple[float, float]]:
+    """First and last heading of each stretch that is good, clockwise, deg; not for all of them good."""
     first = int(np.argmin(good))  # begin where it is not good, so that no arc is cut
     turned, flags = np.roll(headings, -first), np.roll(good, -first).astype(int)
     edges = np.flatnonzero(np.diff(np.concatenate([[0], flags, [0]])))
-    arcs = [(turned[a], turned[b - 1]) for a, b in zip(edges[::2], edges[1::2], strict=True)]
-    return ", ".join(f"{a:03.0f}°" if a == b else f"{a:03.0f}° to {b:03.0f}°" for a, b in arcs)
+    return [(float(turned[a]), float(turned[b - 1])) for a, b in zip(edges[::2], edges[1::2], strict=True)]

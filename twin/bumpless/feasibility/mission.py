@@ -10,6 +10,7 @@ from bumpless.feasibility.holding import check_station
 from bumpless.feasibility.path import check_end, check_hold, check_legs, check_time
 from bumpless.feasibility.sight import check_first_sight, check_sight
 from bumpless.feasibility.start import check_start
+from bumpless.feasibility.station import Station, station_keeping
 from bumpless.feasibility.zones import check_zones
 
 
@@ -31,3 +32,12 @@ def check_mission(mission: Mission, vehicle: Vehicle | None = None) -> tuple[Fin
         *check_station(mission, vehicle, parameters),
     ]
     return tuple(sorted(found, key=lambda one: not one.blocks))
+
+
+def station_of(mission: Mission, vehicle: Vehicle | None = None) -> Station | None:
+    """What the check judges station keeping by; None where the vehicle only passes its target by."""
+    vehicle = vehicle or load_vehicle(mission.vehicle)
+    parameters = with_overrides(default_parameters(vehicle), mission.parameters)
+    if parameters.guidance.speed_min_mps > 0.0:
+        return None
+    return station_keeping(vehicle, parameters, mission.environment.current_ned_mps, mission.target)
