@@ -157,6 +157,16 @@ def test_map_takes_what_the_cone_takes():
         ("capture_depth_m: 0.85", "capture_depth_m: 0.5", "target.dock.capture_depth_m"),
         ("entry_before_marker_m: 1.4", "entry_before_marker_m: 0.9", "target.dock.entry_before_marker_m"),
         ("standoff_m: 3.0", "standoff_m: 2.0", "target.standoff_m"),
+        (
+            "capture_depth_m: 0.85",
+            "capture_depth_m: 0.85\n    slip_speed_mps: 0.001\n    friction: 2",
+            "target.dock",
+        ),
+        (
+            "  current_ned",
+            "  wave: {height_m: 0.23, period_s: 1}\n  current_ned",
+            "environment.wave.height_m",
+        ),
         ("standoff_m: 3.0", "standoff_m: 3.0\n  heading_tolerance_deg: 10", "target.dock"),
     ],
 )
