@@ -20,6 +20,7 @@ from bumpless.physics.sensors import N_NOISE
 from bumpless.sim.capture_map import capture_map
 from bumpless.sim.truth import truth_of
 from bumpless.sim.twin import simulate
+from bumpless_paper.study.docks.hung import row
 
 TS100 = load_vehicle("ts100")
 TEXT = (Path(__file__).parents[2] / "missions" / "docking_funnel.yaml").read_text()
@@ -183,3 +184,10 @@ def test_a_box_has_no_nose_for_a_tube():
     with pytest.raises(MissionError) as error:
         parse_mission(rov, "x.yaml")
     assert "target.dock" in [problem.field for problem in error.value.problems]
+
+
+def test_a_dock_that_swings_too_far_is_not_touched():
+    """Protects: what is said of hung docks: entered while they swing a little, else let alone."""
+    numbers = range(4300004, 4300006)
+    assert "2 docked" in row(mission(), TS100, numbers, 0.02, 0.04)
+    assert row(mission(), TS100, numbers, 0.1, 0.2).endswith("2 held; median force 0 N, most 0 N")

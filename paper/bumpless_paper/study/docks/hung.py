@@ -20,7 +20,7 @@ SWINGS_M = ((0.0, 0.0), (0.02, 0.04), (0.05, 0.1), (0.1, 0.2))  # sway and heave
 
 
 def drawn(mission: Mission, number: int, sway: float, heave: float) -> Mission:
-    """The mission in a current of 0.03 to 0.12 m/s within 6 deg of the axis, its dock swinging in 6 to 12 s."""
+    """The mission in a current of 0.03 to 0.12 m/s within 6 deg of the axis, its dock swinging."""
     rng, sea, motion = np.random.default_rng(number), mission.environment, mission.target.motion
     assert motion
     speed, angle = rng.uniform(0.03, 0.12), np.radians(rng.uniform(-6.0, 6.0))
