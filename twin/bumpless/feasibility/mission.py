@@ -7,8 +7,9 @@ from bumpless.feasibility.dock import check_dock
 from bumpless.feasibility.finding import Finding
 from bumpless.feasibility.floor import check_floor
 from bumpless.feasibility.holding import check_station
-from bumpless.feasibility.path import check_end, check_legs, check_time
+from bumpless.feasibility.path import check_end, check_hold, check_legs, check_time
 from bumpless.feasibility.sight import check_first_sight, check_sight
+from bumpless.feasibility.start import check_start
 from bumpless.feasibility.station import Station, station_keeping
 from bumpless.feasibility.zones import check_zones
 
@@ -21,8 +22,10 @@ def check_mission(mission: Mission, vehicle: Vehicle | None = None) -> tuple[Fin
         *check_legs(mission, vehicle, parameters),
         *check_time(mission, vehicle, parameters),
         *check_end(mission),
+        *check_hold(mission, parameters),
         *check_zones(mission),
         *check_floor(mission, vehicle),
+        *check_start(mission, vehicle, parameters),
         *check_dock(mission, vehicle, parameters),
         *check_sight(mission, vehicle, parameters),
         *check_first_sight(mission, vehicle, parameters),
