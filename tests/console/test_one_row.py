@@ -61,7 +61,7 @@ def test_the_bar_is_one_row_and_nothing_in_it_overlaps(
 
 
 def test_no_view_lays_something_over_the_bars(console: Page, server: ContractServer) -> None:
-    """Protects abort: styles of a view that is loaded later once laid a button of the bar over the whole page."""
+    """Protects abort: styles of a view that came later once laid a button of the bar over all."""
     server.keep_saying(STATES["flying"])
     for view in ("Plan", "Missions", "Mode weights", "Runs", "System", "Live"):
         show(console, view)
