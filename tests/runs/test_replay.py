@@ -103,6 +103,7 @@ def test_what_is_missing_within_a_file_is_told(tmp_path: Path) -> None:
         if not (12.0 < t < 20.0 or (rare and topic.startswith("tlm/"))):
             told.append((time_ns, topic, message))
     status = next(message for _, topic, message in told if topic == MISSION_TOPIC)
+    assert isinstance(status, pb.MissionStatus)
     path = tmp_path / "gap.mcap"
     writer = RunWriter(path, status, path.stem, durable=False)
     for time_ns, topic, message in told:
@@ -119,6 +120,7 @@ def test_what_came_late_is_not_missing(tmp_path: Path) -> None:
     late = source.started_ns + 22 * 10**9
     told = [(late if late - 2 * 10**9 < t < late else t, a, m) for t, a, m in source.timed()]
     status = next(message for _, topic, message in told if topic == MISSION_TOPIC)
+    assert isinstance(status, pb.MissionStatus)
     path = tmp_path / "late.mcap"
     writer = RunWriter(path, status, path.stem, durable=False)
     for time_ns, topic, message in told:
