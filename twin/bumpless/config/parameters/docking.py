@@ -191,12 +191,12 @@ class DockingParameters:
     )
     pitch_flow_high_mps: Annotated[float, pace("Flow where it holds it alone", "pitch_flow_high")] = 0.4
     pitch_integral: Annotated[float, share("Heave integration that pitch takes away", "pitch_integral")] = 0.3
-    pitch_lead_s: Annotated[float, spell("Lead of depth rate", "pitch_lead")] = 1.5
+    pitch_lead_s: Annotated[float, spell("Lead of depth rate", "pitch_lead")] = 1.4
     pitch_look_slow: Annotated[
         float,
         Number("Share of the pitch look-ahead left without flow", "", 0.05, 1.0, record="pitch_look_slow",
                help="Grows to 1 at the speed of full gains: a slow hull needs steeper pitch."),
-    ] = 0.3  # fmt: skip
+    ] = 0.25  # fmt: skip
     pitch_feed: Annotated[
         float, share("Slope of a leg fed forward", "pitch_feed", "By pitch; a step of depth is not.")
     ] = 1.0
