@@ -18,6 +18,7 @@ SLOW = (
     # whole flights in real time, real processes that are killed, minutes of a node's memory
     "tests/config/vehicle/test_flights.py",
     "tests/control/docking/test_flights.py",
+    "tests/identify/test_learned.py",
     "tests/node/test_claim.py",
     "tests/node/test_crash.py",
     "tests/node/test_failsafe.py",

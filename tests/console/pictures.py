@@ -29,14 +29,25 @@ COMPILES_MS = 600_000
 FLIES_MS = 180_000
 DAY_NS = 86_400_000_000_000
 SETTLES_MS = 1500  # drawings that come after the words: a picture may wait
+TRIES = 4  # of a picture in which something was late
 YESTERDAY = "docking_current"  # flown before, to be compared with
 
 
 def save(page: Page, path: Path) -> None:
     """What the page shows now, as a PNG: true colours, packed as well as it goes."""
-    picture = Image.open(io.BytesIO(page.screenshot(animations="disabled", timeout=FLIES_MS)))
+    picture = Image.open(io.BytesIO(shot(page)))
     picture.convert("RGB").save(path, optimize=True)
     print(f"{path.name}: {path.stat().st_size // 1000} kB", flush=True)
+
+
+def shot(page: Page) -> bytes:
+    """A picture in which nothing is late: a busy machine keeps values back while it is taken."""
+    for _ in range(TRIES):
+        taken = page.screenshot(animations="disabled", timeout=FLIES_MS)
+        if page.get_by_label("Link: Telemetry late").count() + page.locator(".age-chip").count() == 0:
+            return taken
+        page.wait_for_timeout(SETTLES_MS)
+    return taken
 
 
 def open_page(browser: Browser, url: str, theme: str) -> Page:
@@ -81,6 +92,7 @@ def take(browser: Browser, running: Running, folder: Path) -> None:
     save(page, folder / "runs.png")
     page.get_by_role("link", name="Replay", exact=True).click()
     replay = page.get_by_role("region", name="Replay")
+    expect(replay).to_contain_text("/ 01:")  # the run is read
     replay.get_by_label("Mission time").fill("40")
     expect(replay).to_contain_text("T+00:40.0")
     page.wait_for_timeout(SETTLES_MS)

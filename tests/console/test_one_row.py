@@ -7,6 +7,7 @@ from playwright.sync_api import Page, expect
 
 from bumpless.contract import bumpless_pb2 as pb
 from tests.console import flight
+from tests.console.conftest import show
 from tests.console.contract_server import ContractServer
 
 ROW_PX = 60
@@ -36,6 +37,14 @@ INSIDE = """() => { const bar = document.querySelector(".commandbar").getBoundin
     within: parts.every((one) => one.right <= bar.right + 1) }; }"""
 
 
+# Links and buttons of both bars of which something else lies on top.
+ON_TOP = """() => [...document.querySelectorAll("header.topbar :is(a, button), .commandbar :is(a, button)")]
+  .filter((one) => { const at = one.getBoundingClientRect();
+    const top = document.elementFromPoint(at.left + at.width / 2, at.top + at.height / 2);
+    return at.width > 0 && !one.contains(top); })
+  .map((one) => one.textContent)"""
+
+
 @pytest.mark.parametrize("width", [1024, 1440])
 @pytest.mark.parametrize("state", ["at rest", "flying", "over"])
 def test_the_bar_is_one_row_and_nothing_in_it_overlaps(
@@ -49,6 +58,17 @@ def test_the_bar_is_one_row_and_nothing_in_it_overlaps(
     bar = console.evaluate(INSIDE)
     assert bar["high"] < ROW_PX
     assert bar["apart"] and bar["within"], bar
+
+
+def test_no_view_lays_something_over_the_bars(console: Page, server: ContractServer) -> None:
+    """Protects abort: styles of a view that came later once laid a button of the bar over all."""
+    server.keep_saying(STATES["flying"])
+    for view in ("Plan", "Missions", "Mode weights", "Runs", "System", "Live"):
+        show(console, view)
+        expect(console.locator("main:not([hidden])")).to_be_visible()
+        bar = console.evaluate(INSIDE)
+        assert bar["high"] < ROW_PX and bar["apart"] and bar["within"], (view, bar)
+        assert console.evaluate(ON_TOP) == [], view
 
 
 def test_the_header_is_one_row_at_a_tablet_s_width(console: Page, server: ContractServer) -> None:

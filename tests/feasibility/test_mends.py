@@ -38,6 +38,7 @@ def made(text: str, mend: bumpless.Mend) -> str:
         (CASE + "end: {hover_hold_s: 100}\n", "long_hover"),
         (CASE, "hover_to_the_end"),
         (IN_STILL_WATER, "current_may_differ"),
+        (CASE + "sensors: {detection: {outlier_probability: 0.01}}\n", "false_sights"),
         (CASE + "environment: {beam_attenuation_per_m: 0.96}\n", "seen_too_late"),
     ],
 )

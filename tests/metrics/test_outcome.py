@@ -273,3 +273,10 @@ def skin_of(vehicle: Vehicle) -> np.ndarray:
         size = part.span_m if isinstance(part, Fin) else part.diameter_m
         parts.append(np.array(part.position_m) + 0.5 * size * ball)
     return np.vstack(parts)
+
+
+def test_a_state_that_is_no_number_is_no_lack_of_time(make_run: MakeRun, ts100: Vehicle) -> None:
+    """Protects: a simulation that broke down is said to have, though the vehicle believes its last fix."""
+    run = in_hover(make_run, eta=np.where(np.arange(N)[:, None] < 300, moved(0, 0.0), np.nan))
+    outcome = outcome_of(run, ts100, "completed")
+    assert outcome.ending is Ending.ABORTED and outcome.why == "the simulation broke down"

@@ -10,6 +10,7 @@ import pytest
 
 import bumpless
 from bumpless.contract.messages import encoded
+from bumpless.runs.repair import repair
 from bumpless.runs.table import Table, table_of
 from tests.runs.flights import START_NS, Flight
 
@@ -165,3 +166,22 @@ def test_a_cut_log_is_an_interrupted_run(flight: Flight, tmp_path: Path) -> None
     run = bumpless.open_run(cut)
     assert (run.outcome.ending, run.outcome.reason) == ("interrupted", "the recording was cut off")
     assert run.info == flight.run.info
+
+
+@pytest.mark.parametrize(
+    ("data", "why"),
+    [
+        (b"", "it is empty"),
+        (b"\x89MCAP0\r\n", "it ends after 8 bytes, within its header"),
+        (b"hello", "it ends after 5 bytes, within its header"),
+        (b"version: 1\nname: docking\n", "not a valid MCAP file"),
+    ],
+)
+def test_a_file_that_is_no_log_says_why(tmp_path: Path, data: bytes, why: str) -> None:
+    """Protects: a reason after the colon, also where the reader itself has no word."""
+    path = tmp_path / "a.mcap"
+    path.write_bytes(data)
+    with pytest.raises(ValueError, match="not an MCAP file: .*" + why):
+        bumpless.open_run(path)
+    with pytest.raises(ValueError, match="not an MCAP file: .*" + why):
+        repair(path)

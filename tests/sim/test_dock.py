@@ -20,6 +20,7 @@ from bumpless.physics.sensors import N_NOISE
 from bumpless.sim.capture_map import capture_map
 from bumpless.sim.truth import truth_of
 from bumpless.sim.twin import simulate
+from bumpless_paper.study.docks.hung import row
 
 TS100 = load_vehicle("ts100")
 TEXT = (Path(__file__).parents[2] / "missions" / "docking_funnel.yaml").read_text()
@@ -157,6 +158,16 @@ def test_map_takes_what_the_cone_takes():
         ("capture_depth_m: 0.85", "capture_depth_m: 0.5", "target.dock.capture_depth_m"),
         ("entry_before_marker_m: 1.4", "entry_before_marker_m: 0.9", "target.dock.entry_before_marker_m"),
         ("standoff_m: 3.0", "standoff_m: 2.0", "target.standoff_m"),
+        (
+            "capture_depth_m: 0.85",
+            "capture_depth_m: 0.85\n    slip_speed_mps: 0.001\n    friction: 2",
+            "target.dock",
+        ),
+        (
+            "  current_ned",
+            "  wave: {height_m: 0.23, period_s: 1}\n  current_ned",
+            "environment.wave.height_m",
+        ),
         ("standoff_m: 3.0", "standoff_m: 3.0\n  heading_tolerance_deg: 10", "target.dock"),
     ],
 )
@@ -173,3 +184,10 @@ def test_a_box_has_no_nose_for_a_tube():
     with pytest.raises(MissionError) as error:
         parse_mission(rov, "x.yaml")
     assert "target.dock" in [problem.field for problem in error.value.problems]
+
+
+def test_a_dock_that_swings_too_far_is_not_touched():
+    """Protects: what is said of hung docks: entered while they swing a little, else let alone."""
+    numbers = range(4300004, 4300006)
+    assert "2 docked" in row(mission(), TS100, numbers, 0.02, 0.04)
+    assert row(mission(), TS100, numbers, 0.1, 0.2).endswith("2 held; median force 0 N, most 0 N")

@@ -79,7 +79,7 @@ export function CommandBar() {
         {inControl.value && (
           <HoldButton
             name="Surface"
-            class="surface"
+            class="rise"
             holdMs={600}
             why={why || barred.value}
             title="Press and hold: gives the mission a rest and holds at the surface; it can be resumed"

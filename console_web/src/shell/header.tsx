@@ -188,7 +188,8 @@ function Clock() {
       onClick={() => setZone(next)}
     >
       {timeOfDay(now).slice(0, 5)}
-      <span class="seconds">{timeOfDay(now).slice(5)}</span> {zoneName(now)}
+      <span class="seconds">{timeOfDay(now).slice(5)}</span>
+      {`\u00a0${zoneName(now)}`}
     </button>
   );
 }

@@ -9,8 +9,11 @@ import typer
 from bumpless.contract.exits import GATE_FAILED, MISUSED
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from bumpless.review.compare import Comparison
     from bumpless.review.gate import Verdict
+    from bumpless.review.subject import Subject
 
 MARKS = {"better": "+", "worse": "-", "same": "=", "": " "}
 
@@ -40,7 +43,7 @@ def compare(
 
     need("log", "mcap")
     try:
-        comparison = compared([subject_of(log) for log in logs])
+        comparison = compared([_named(subject_of, log) for log in logs])
         verdicts = judge(read_gate(gate), comparison) if gate is not None else []
         if report is not None:
             _write(report, logs, align)
@@ -50,6 +53,14 @@ def compare(
     typer.echo(json_of(comparison, verdicts) if as_json else text_of(comparison, verdicts))
     if not all(verdict.passed for verdict in verdicts):
         raise typer.Exit(GATE_FAILED)
+
+
+def _named(read: "Callable[[Path], Subject]", log: Path) -> "Subject":
+    """What is read of a log; its faults with its name, for there are several."""
+    try:
+        return read(log)
+    except ValueError as error:
+        raise ValueError(f"{log}: {error}") from error
 
 
 def _write(target: Path, logs: list[Path], align: str) -> None:

@@ -9,7 +9,7 @@ from bumpless.config.parameters import ParameterError, default_parameters, from_
 from bumpless.config.vehicle import Vehicle
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.enums import MOVING
-from bumpless.feasibility import ACCEPT, REFUSE, WARN, Station, arcs, station_keeping
+from bumpless.runs.checked import ACCEPT, REFUSE, WARN, Station, arcs, station_keeping
 from bumpless_server.foresight.told import HeldArc, HeldStation
 from bumpless_server.live.state import State
 

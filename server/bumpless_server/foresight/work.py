@@ -11,7 +11,7 @@ from bumpless.campaign.ready import ready
 from bumpless.config.mission import missions_folder
 from bumpless.config.problems import Problem, ProblemsError
 from bumpless.config.vehicle import Vehicle, VehicleError, parse_vehicle
-from bumpless.feasibility import station_of
+from bumpless.runs.checked import station_of
 from bumpless_server.foresight import fan, held
 from bumpless_server.foresight.findings import findings_of, floor_below
 from bumpless_server.foresight.forecast import nominal

@@ -4,6 +4,7 @@ from bumpless.config.mission import Mission
 from bumpless.config.parameters import default_parameters, with_overrides
 from bumpless.config.vehicle import Vehicle, load_vehicle
 from bumpless.feasibility.dock import check_dock
+from bumpless.feasibility.false_sights import check_false_sights
 from bumpless.feasibility.finding import Finding
 from bumpless.feasibility.floor import check_floor
 from bumpless.feasibility.holding import check_station
@@ -29,6 +30,7 @@ def check_mission(mission: Mission, vehicle: Vehicle | None = None) -> tuple[Fin
         *check_dock(mission, vehicle, parameters),
         *check_sight(mission, vehicle, parameters),
         *check_first_sight(mission, vehicle, parameters),
+        *check_false_sights(mission, vehicle, parameters),
         *check_station(mission, vehicle, parameters),
     ]
     return tuple(sorted(found, key=lambda one: not one.blocks))

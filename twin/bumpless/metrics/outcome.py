@@ -134,7 +134,7 @@ def outcome_of(
         ending, text, why = Ending.COLLIDED, dock.harm, "hull and dock met too hard"
     elif how != "completed":
         ending, text, why = Ending(how), reason or f"The run was {how}.", reason or how
-    elif not np.isfinite(run.eta_hat[-1]).all():
+    elif not np.isfinite(run.eta_hat[-1]).all() or _is_lost(run):
         ending, text, why = Ending.ABORTED, "The state was no number any more.", "the simulation broke down"
     else:
         ending, text, why = _completed(run, errors, held_s, period_s, limits, dock)
@@ -152,6 +152,11 @@ def outcome_of(
         believed_errors=believed.at(-1),
         tries=int(run.tried[-1]),
     )
+
+
+def _is_lost(run: Columns) -> bool:
+    """Whether the truth is told, but where the vehicle is in it is no number."""
+    return bool(np.isfinite(run.target_true[-1]).all() and not np.isfinite(run.eta[-1]).all())
 
 
 Said = tuple[Ending, str, str]  # ending, reason, why

@@ -9,10 +9,10 @@ from dataclasses import replace
 from pathlib import Path
 from typing import BinaryIO
 
-from mcap.records import Channel, Header, Schema
+from mcap.records import Channel, Schema
 
 from bumpless.contract.keys import ENCODING_PREFIX, SAID
-from bumpless.runs.chunks import CUT, records_of
+from bumpless.runs.chunks import CUT, NotALog, header_of, records_of
 from bumpless.runs.records import is_whole, read_records
 from bumpless.runs.repair import Copy
 
@@ -46,11 +46,9 @@ def adopt(source: Path, target: Path) -> bool:
 def _copy(file: BinaryIO, out: BinaryIO, size: int) -> bool:
     records = records_of(file, size)
     try:
-        header = next(records)
-    except (*CUT, StopIteration) as error:
-        raise NotOurs(f"not an MCAP file: {error}") from error
-    if not isinstance(header, Header):
-        raise NotOurs("not an MCAP file: it does not begin with a header")
+        header = header_of(records, size)
+    except NotALog as error:
+        raise NotOurs(str(error)) from error
     copy, schemas, ours, renamed = Copy(out, header), dict[int, str](), False, False
     try:
         for record in records:

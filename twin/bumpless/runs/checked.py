@@ -1,11 +1,23 @@
-"""Can a mission be flown? The public face of `bumpless.feasibility`."""
+"""Can a mission be flown, and which headings hold station? The public face of `bumpless.feasibility`."""
 
 from pathlib import Path
 
 from bumpless.config.mission import Mission
 from bumpless.config.vehicle import Vehicle, load_vehicle
-from bumpless.feasibility import Finding, check_mission
+from bumpless.feasibility import (
+    ACCEPT,
+    REFUSE,
+    WARN,
+    Finding,
+    Station,
+    arcs,
+    check_mission,
+    station_keeping,
+    station_of,
+)
 from bumpless.runs.flight import load_mission
+
+__all__ = ["ACCEPT", "REFUSE", "WARN", "Station", "arcs", "check", "station_keeping", "station_of"]
 
 
 def check(mission: Mission | str | Path, vehicle: Vehicle | str | None = None) -> tuple[Finding, ...]:

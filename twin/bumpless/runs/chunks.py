@@ -7,9 +7,9 @@ from typing import BinaryIO
 
 import zstandard
 from lz4.frame import LZ4FrameDecompressor
-from mcap.exceptions import McapError
+from mcap.exceptions import EndOfFile, McapError
 from mcap.reader import make_reader
-from mcap.records import Chunk, McapRecord
+from mcap.records import Chunk, Header, McapRecord
 from mcap.stream_reader import CRCValidationError, StreamReader, breakup_chunk
 
 LARGEST_CHUNK = 64_000_000  # bytes unpacked; ours have about one million
@@ -18,6 +18,10 @@ Note = Callable[[str], None]
 # what reading past the place where a file was cut or changed can raise
 CUT = (McapError, CRCValidationError, struct.error, zstandard.ZstdError, UnicodeDecodeError, EOFError)
 _DAMAGE = (*CUT, ValueError, RuntimeError, MemoryError, OverflowError)
+
+
+class NotALog(ValueError):
+    """Not even the beginning of an MCAP file."""
 
 
 class DamagedChunk(ValueError):
@@ -41,6 +45,29 @@ def records_of(file: BinaryIO, size: int, note: Note = lambda text: None) -> Ite
             yield from _told_again(file)
             continue
         yield from inner
+
+
+def header_of(records: Iterator[McapRecord], size: int) -> Header:
+    """The first of a log's records. Raises NotALog, which says why, where not even that is there.
+
+    size: of the file, bytes.
+    """
+    try:
+        header = next(records)
+    except (*CUT, StopIteration) as error:
+        raise NotALog(f"not an MCAP file: {_why_none(error, size)}") from error
+    if not isinstance(header, Header):
+        raise NotALog("not an MCAP file: it does not begin with a header")
+    return header
+
+
+def _why_none(error: Exception, size: int) -> str:
+    """In words: what the reader raises is empty, or about its buffers."""
+    if size == 0:
+        return "it is empty"
+    if isinstance(error, struct.error | EndOfFile | StopIteration | EOFError):
+        return f"it ends after {size} byte{'s' if size > 1 else ''}, within its header"
+    return str(error) or "its beginning is not that of one"
 
 
 def _told_again(file: BinaryIO) -> Iterator[McapRecord]:

@@ -9,11 +9,11 @@ from math import inf
 from pathlib import Path
 from typing import Any
 
-from mcap.records import Attachment, Channel, Header, McapRecord, Message, Metadata, Schema
+from mcap.records import Attachment, Channel, McapRecord, Message, Metadata, Schema
 
 from bumpless.contract.messages import stamp_of
 from bumpless.runs import names
-from bumpless.runs.chunks import CUT, records_of
+from bumpless.runs.chunks import CUT, header_of, records_of
 from bumpless.runs.read import log_messages
 from bumpless.runs.repair import Copy
 from bumpless.runs.replay import PACE
@@ -76,13 +76,9 @@ def cut(source: Path, target: Path, part: Range) -> int:
     partial = target.with_name(target.name + ".part")
     try:
         with source.open("rb") as file, partial.open("wb") as out:
-            records = records_of(file, source.stat().st_size)
-            try:
-                header = next(records)
-            except (*CUT, StopIteration) as error:
-                raise ValueError(f"not an MCAP file: {error}") from error
-            if not isinstance(header, Header):
-                raise ValueError("not an MCAP file: it does not begin with a header")
+            size = source.stat().st_size
+            records = records_of(file, size)
+            header = header_of(records, size)
             copy = Copy(out, header)
             _fill(copy, _readable(records), first, last, part)
             copy.writer.finish()

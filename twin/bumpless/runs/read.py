@@ -7,7 +7,7 @@ from typing import BinaryIO
 
 from mcap.records import Channel, McapRecord, Message
 
-from bumpless.runs.chunks import CUT, records_of
+from bumpless.runs.chunks import CUT, header_of, records_of
 
 log = logging.getLogger(__name__)
 
@@ -41,9 +41,7 @@ def check_log(path: Path) -> None:
 
 
 def _after_header(file: BinaryIO, path: Path) -> Iterator[McapRecord]:
-    records = records_of(file, path.stat().st_size, lambda text: log.warning("%s: %s", path.name, text))
-    try:
-        next(records)
-    except (StopIteration, *CUT) as error:
-        raise ValueError(f"not an MCAP file: {error}") from error
+    size = path.stat().st_size
+    records = records_of(file, size, lambda text: log.warning("%s: %s", path.name, text))
+    header_of(records, size)
     return records

@@ -8,7 +8,7 @@ from typing import BinaryIO
 from mcap.records import Attachment, Channel, Header, Message, Metadata, Schema
 from mcap.writer import CompressionType, Writer
 
-from bumpless.runs.chunks import CUT, records_of
+from bumpless.runs.chunks import CUT, header_of, records_of
 
 
 @dataclass(frozen=True)
@@ -87,12 +87,7 @@ class Copy:
 def _copy(source: BinaryIO, target: BinaryIO) -> Repair:
     size = os.fstat(source.fileno()).st_size
     records = records_of(source, size)
-    try:
-        header = next(records)
-    except (*CUT, StopIteration) as error:
-        raise ValueError(f"not an MCAP file: {error}") from error
-    if not isinstance(header, Header):
-        raise ValueError("not an MCAP file: it does not begin with a header")
+    header = header_of(records, size)
     copy = Copy(target, header)
     try:
         for record in records:

@@ -96,20 +96,35 @@ class Replay:
     def gaps(self) -> list[tuple[float, float]]:
         """Last cycle before and first after each stretch in which more than a few are missing, mission s.
 
-        By the index alone. What a few is goes by the cycles around it: a hold is recorded more rarely.
+        Sought by the index, told by what the cycles say: one that came late is not missing. What a few is
+        goes by the cycles around it: a hold is recorded more rarely.
         """
         pace = self._numbers[PACE]
         with self._lock:
-            marks = [self._index(chunk, pace)[:, 0] for chunk in self._chunks]
-        times = (np.sort(np.concatenate(marks)).astype(np.int64) - self.start_ns) * 1e-9
+            marks = [self._index(chunk, pace) for chunk in self._chunks]
+        which = np.repeat(np.arange(len(marks)), [len(part) for part in marks])
+        every = np.concatenate(marks).astype(np.int64)
+        order = np.argsort(every[:, 0], kind="stable")
+        which, every = which[order], every[order]
+        times = (every[:, 0] - self.start_ns) * 1e-9
         steps = np.diff(times)
         found = []
         for k in np.flatnonzero(steps > GAP_S):
             before, after = steps[max(0, k - AROUND) : k], steps[k + 1 : k + 1 + AROUND]
             near = [float(np.median(part)) for part in (before, after) if len(part)]
-            if steps[k] > GAP_S + 2.0 * max(near, default=0.0):
+            least = GAP_S + 2.0 * max(near, default=0.0)
+            if steps[k] <= least:
+                continue
+            ends = [self._said_s(self._chunks[which[i]], int(every[i, 1])) for i in (k, k + 1)]
+            if ends[1] - ends[0] > least:
                 found.append((float(times[k]), float(times[k + 1])))
         return found
+
+    def _said_s(self, chunk: ChunkIndex, place: int) -> float:
+        """Mission time that a cycle itself says, s."""
+        with self._lock:
+            stamp = stamp_of(self._message(chunk, place).payload)
+        return stamp.mission_time_s if stamp is not None else 0.0
 
     def at(self, time_s: float) -> pb.StreamFrame:
         """What was known at that time: the last message of each topic, and no event."""

@@ -14,6 +14,7 @@ from bumpless.config.vehicle import MyringHull, Vehicle, load_vehicle
 from bumpless.contract.names import MISSION
 
 SHORTEST_LEG_M = 0.5
+STEEPEST = 0.142  # height over length of a deep-water wave that is about to break: Miche 1944
 
 
 def broken_rules(mission: Mission, vehicle: Vehicle | None, any_vehicle: bool = False) -> list[Broken]:
@@ -157,6 +158,8 @@ def _sea(mission: Mission) -> Iterator[tuple[str, object, str]]:
         if not above.depth_m < below.depth_m:
             rule = f"must be deeper than the entry before ({above.depth_m:g} m)"
             yield f"environment.current_profile[{i + 1}].depth_m", below.depth_m, rule
+    if (wave := mission.environment.wave) and wave.height_m > (most := STEEPEST * wave.length_m):
+        yield "environment.wave.height_m", wave.height_m, f"must be at most {most:.2f}: a steeper one breaks"
     deepest = max(point[2] for point in (*mission.path_ned_m, mission.target.true_position_ned_m))
     bottom = mission.environment.water_depth_m
     if 0.0 < bottom <= deepest:

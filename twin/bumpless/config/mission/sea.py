@@ -1,5 +1,6 @@
 """The sea of a mission: currents, waves, water; what is left out is not there."""
 
+import math
 from typing import Annotated
 
 from bumpless.config.capacity import MAX_PROFILE
@@ -51,6 +52,11 @@ class Wave:
     second_order: Annotated[
         bool, Switch("Suction towards the surface", help="The mean force of second order in the height.")
     ] = False
+
+    @property
+    def length_m(self) -> float:
+        """From crest to crest in deep water."""
+        return 9.80665 * self.period_s**2 / math.tau
 
 
 @model
