@@ -58,7 +58,7 @@ def take(browser: Browser, running: Running, folder: Path) -> None:
     """Fly, and take the pictures on the way."""
     page = open_page(browser, f"{running.url}/#missions", "dark")
     expect(page.get_by_label("Link: Live")).to_be_visible(timeout=COMPILES_MS)
-    page.goto(f"{running.url}/#/plan/docking_into_current")
+    page.goto(f"{running.url}/#/plan/docking_current")
     expect(page.get_by_label("State of the forecast")).to_have_text("up to date", timeout=COMPILES_MS)
     save(page, folder / "plan.png")
     show(page, "Missions")
@@ -91,6 +91,7 @@ def take(browser: Browser, running: Running, folder: Path) -> None:
     page.get_by_role("button", name="Compare").click()
     expect(page.get_by_role("table", name="Figures")).to_contain_text("Residual RMS")
     page.get_by_label("Seconds from the moment the runs are aligned on").fill("45")
+    expect(page.get_by_text("45.0 s")).to_be_visible()
     page.wait_for_timeout(SETTLES_MS)
     save(page, folder / "compare.png")
     show(page, "System")

@@ -25,7 +25,10 @@ def default_replies(server: ContractServer) -> None:
 
 
 def forecast(
-    docked: int, of: int = 200, findings: list[dict[str, Any]] | None = None
+    docked: int,
+    of: int = 200,
+    findings: list[dict[str, Any]] | None = None,
+    station: dict[str, Any] | None = None,
 ) -> list[dict[str, Any]]:
     """Every message of a request that goes well: a straight flight north in F, R and H."""
     north = [0.0, 10.0, 20.0, 22.5]
@@ -87,7 +90,7 @@ def forecast(
         "elapsed_ms": 40.0,
     }
     return [
-        {"kind": "findings", "findings": findings or [], "floor": None},
+        {"kind": "findings", "findings": findings or [], "floor": None, "station": station},
         nominal,
         {"kind": "fan", "flights": flown, "done": of, "of": of, "chance": {**chance, "counts": counts}},
         {"kind": "done"},

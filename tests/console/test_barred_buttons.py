@@ -7,6 +7,7 @@ from bumpless.contract import bumpless_pb2 as pb
 from tests.console import flight
 from tests.console.conftest import show
 from tests.console.contract_server import ContractServer
+from tests.server.serving import Running
 
 # Views, each with something that is there once it is.
 VIEWS = {
@@ -46,6 +47,31 @@ def test_each_button_that_is_barred_says_why_and_can_be_focused(
         expect(console.locator("main:not([hidden])").get_by_text(there).first).to_be_visible()
         assert console.evaluate(WRONG) == [], f"in {view}"
         barred += console.evaluate(BARRED)
+    assert barred > 3
+
+
+def test_plan_bars_nothing_without_a_word(page: Page, running: Running) -> None:
+    """Protects the same in the planner: its library, a plan that is begun, a whole one, and each tab."""
+    barred = 0
+    for place, there in (("plan", "New from it"), ("plan/docking", "Saved, not on the vehicle")):
+        page.goto(f"{running.url}/#/{place}")
+        expect(page.get_by_text(there).first).to_be_visible()
+        for tab in (None, "Legs", "YAML", "What if", "Charts", "Keys") if "/" in place else (None,):
+            if tab:
+                page.get_by_role("button", name=tab, exact=True).click()
+            assert page.evaluate(WRONG) == [], f"in {place}, {tab}"
+            barred += page.evaluate(BARRED)
+    page.get_by_role("button", name="YAML", exact=True).click()
+    page.locator(".cm-content").click()
+    page.keyboard.press("Control+a")
+    page.keyboard.type("version: 1")
+    up = page.get_by_role("button", name="Dock up")
+    expect(up).to_have_attribute("aria-disabled", "true")
+    expect(up).to_have_attribute("title", "No dock is placed yet")
+    up.focus()
+    up.press("Enter")
+    expect(up).to_be_focused()
+    assert page.evaluate(WRONG) == []
     assert barred > 3
 
 

@@ -175,6 +175,22 @@ def test_pause_and_resume(console: Page, server: ContractServer) -> None:
     expect(console.get_by_role("button", name="Start", exact=True)).to_have_count(0)
 
 
+def test_it_is_brought_up_by_holding_while_somebody_steers(console: Page, server: ContractServer) -> None:
+    """Protects: beside what lets the vehicle drift stands what brings it up, and no stray click does it."""
+    server.reply("POST", "mission/surface", {"accepted": True, "reason": ""})
+    up = console.get_by_role("button", name="Surface: press and hold")
+    expect(up).to_have_count(0)
+    server.keep_saying([*flight.server_status(), *flight.cycle(10.0), *flight.mission_status(10.0)])
+    up.click()
+    assert server.calls_of("POST", "mission/surface") == []
+    up.focus()
+    console.keyboard.down("Space")
+    server.wait_for_call("POST", "mission/surface")
+    console.keyboard.up("Space")
+    server.keep_saying(flight.hello(pb.MISSION_PHASE_ABORTED))
+    expect(up).to_have_count(0)
+
+
 def test_abort_wants_to_be_held(console: Page, server: ContractServer) -> None:
     """Protects a mission from a stray click or key; holding aborts, by pointer and by keyboard."""
     server.reply("POST", "mission/abort", {"accepted": True, "reason": ""})

@@ -179,4 +179,7 @@ def test_the_run_that_is_over_says_how_it_ended(console: Page, server: ContractS
     )
     server.say(flight.event(90.5, pb.SEVERITY_INFO, "outcome", text, ending="held", run=RUN_ID))
     expect(phase).to_contain_text("Held")
-    expect(console.get_by_label("Mission control")).to_contain_text(text)
+    said = console.get_by_label("Mission control")
+    expect(said).to_contain_text("In hover, truly 0.21 m from the observation point.")
+    expect(said).not_to_contain_text("Held:")  # the chip beside it says the word
+    expect(phase).to_have_attribute("title", "In hover, truly 0.21 m from the observation point.")

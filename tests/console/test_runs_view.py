@@ -152,6 +152,28 @@ def test_a_flight_is_thrown_away_and_taken_back_with_all_its_files(
     expect(console.get_by_role("button", name="Undo")).to_have_count(0)
 
 
+def test_the_address_keeps_what_the_list_shows(console: Page, server: ContractServer) -> None:
+    """Protects a reload and a link that is sent: search, outcome and columns are as they were."""
+    show(console, "Runs")
+    console.get_by_label("Search in runs").fill("no such flight")
+    console.get_by_label("Outcome", exact=True).select_option("docked")
+    console.wait_for_url("**/#/runs*outcome=docked*")
+    shared = console.url
+    console.reload()
+    expect(console.get_by_label("Search in runs")).to_have_value("no such flight")
+    expect(console.get_by_label("Outcome", exact=True)).to_have_value("docked")
+    expect(console.get_by_text("No run is like that.")).to_be_visible()
+    show(console, "Live")
+    show(console, "Runs")
+    console.wait_for_url(shared)
+    console.get_by_role("button", name="Show all runs").click()
+    console.wait_for_url(lambda url: "find" not in url and "outcome" not in url)
+    console.goto(f"{server.url}#/runs?columns=duration,seed&find=&outcome=nonsense")
+    expect(console.get_by_role("columnheader", name="Seed")).to_be_visible()
+    expect(console.get_by_role("columnheader", name="Recorded")).to_have_count(0)
+    expect(console.get_by_label("Outcome", exact=True)).to_have_value("")
+
+
 def test_a_view_is_kept_for_all_and_forgotten_with_a_way_back(console: Page, server: ContractServer) -> None:
     """Protects what a crew agreed to look at: search, outcome and columns under one name, by keyboard too."""
     view = {

@@ -68,7 +68,7 @@ def ten_minutes(north: float, east: float, gust: float = 0.0, approach: str = ""
         (CASE.replace("[26, 0, 2.3]", "[26, 0, 23]"), ("soft", "target_depth")),
         (CASE.replace("[26, 0, 2.3]", "[26, 40, 2.3]"), ("soft", "target_not_on_path")),
         (CASE.replace("speed_mps: 0.7}\ntarget", "speed_mps: 4.5}\ntarget"), ("hard", "leg_too_fast")),
-        (with_current(-0.5), ("hard", "leg_not_flyable")),
+        (with_current(-0.6), ("hard", "leg_not_flyable")),
         (CASE.replace("[10, 0, 2.0]", "[10, 0, 9.0]"), ("soft", "leg_too_steep")),
         (CASE.replace("duration_s: 180", "duration_s: 40"), ("soft", "short_of_time")),
         (CASE.replace("[10, 0, 2.0]", "[20, 0, 2.0], speed_mps: 0.7}\n  - {to_ned_m: [0, 0, 2.0]"),

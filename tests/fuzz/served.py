@@ -51,6 +51,6 @@ def fuzzed(folder: Path) -> Iterator[Fuzzed]:
             "run": [run, "../x", "x" * 200],
             "vehicle": ["ts100", "remus100", ".."],
             "kind": ["mission", "vehicle", "x"],
-            "verb": ["pause", "resume", "abort", "shutdown"],
+            "verb": ["pause", "resume", "surface", "abort", "shutdown"],
         }
         yield Fuzzed(running, http.get("/openapi.json").json(), tokens, known)

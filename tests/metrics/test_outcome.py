@@ -5,12 +5,14 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
-from bumpless.config.vehicle import Vehicle
+from bumpless.config.vehicle import Fin, Vehicle
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.enums import APPROACH, FORWARD, HOVER
 from bumpless.metrics import Columns, Ending, outcome_of
-from bumpless.metrics.dock import Body
+from bumpless.metrics.dock import Body, is_inside
+from bumpless.physics.hydrodynamics.myring import HullStrips
 
 MakeRun = Callable[..., Columns]
 N = 400  # 20 s
@@ -126,13 +128,13 @@ def test_through_the_docks_plane_is_a_collision_whatever_follows(
 def test_beside_the_dock_is_no_collision(make_run: MakeRun, ts100: Vehicle) -> None:
     """The dock has an edge: past it the closest approach is told, and nothing else.
 
-    1 m to the side, the hull's radius of 0.1 m, and the thrusters 0.41 m abeam of the hull.
+    1 m to the side, and the thrusters, 0.107 m wide, 0.41 m abeam of the hull.
     """
-    outcome = outcome_of(on_a_line(make_run, 1.52), ts100, "completed")
-    assert (outcome.ending, outcome.closest_m) == (Ending.TIME_OVER, pytest.approx(1.52))
-    assert outcome_of(on_a_line(make_run, 1.5), ts100, "completed").ending == "collided"
+    outcome = outcome_of(on_a_line(make_run, 1.47), ts100, "completed")
+    assert (outcome.ending, outcome.closest_m) == (Ending.TIME_OVER, pytest.approx(1.47))
+    assert outcome_of(on_a_line(make_run, 1.46), ts100, "completed").ending == "collided"
     wide = Body(width_m=2.1)
-    assert outcome_of(on_a_line(make_run, 1.52), ts100, "completed", body=wide).ending == "collided"
+    assert outcome_of(on_a_line(make_run, 1.47), ts100, "completed", body=wide).ending == "collided"
 
 
 def test_the_dock_has_a_length(make_run: MakeRun, ts100: Vehicle) -> None:
@@ -219,3 +221,55 @@ def test_the_approach_heading_in_use_counts(make_run: MakeRun, ts100: Vehicle) -
 def test_every_ending_is_the_contracts() -> None:
     """Protects: a word that only one of them knows."""
     assert {f"ENDING_{e.name}" for e in Ending} == set(pb.Ending.keys()) - {"ENDING_UNSPECIFIED"}
+
+
+@pytest.mark.parametrize(("with_it", "ending"), [(True, Ending.DOCKED), (False, Ending.HELD)])
+def test_speed_counts_against_a_target_that_moves(
+    make_run: MakeRun, ts100: Vehicle, with_it: bool, ending: Ending
+) -> None:
+    """Protects: a hull that swings with a hung dock is still, one that stands while it swings is not."""
+    time = 0.05 * np.arange(N)
+    sway, rate = 0.05 * np.sin(1.5 * time), 0.075 * np.cos(1.5 * time)
+    target = np.tile([10.5, 0.0, 5.0], (N, 1))
+    target[:, 1] += sway
+    eta, nu = moved(5, 0.03), np.zeros((N, 6))
+    if with_it:
+        eta[:, 1] += sway
+        nu[:, 0], nu[:, 1] = rate * np.sin(0.03), rate * np.cos(0.03)
+    run = in_hover(make_run, eta=eta, nu=nu, target_true=target)
+    assert outcome_of(run, ts100, "completed").ending is ending
+
+
+@pytest.mark.parametrize("body", [Body(2.0, 1.5, 0.0), Body(0.8, 0.5, 0.0), Body(0.3, 0.3, 0.0)])
+def test_hull_in_the_dock_is_what_points_all_over_it_say(ts100: Vehicle, body: Body) -> None:
+    """Protects: no flank, corner or nose gets 1 cm into a dock unseen, and none is seen that is 2 cm off."""
+    skin, rng = skin_of(ts100), np.random.default_rng(1)
+    eta = np.zeros((1500, 6))
+    eta[:, :3] = rng.uniform(-1.6, 1.6, (len(eta), 3)) * [1.0, 1.0, 0.6]
+    eta[:, 3:5], eta[:, 5] = rng.normal(0.0, 0.15, (len(eta), 2)), rng.uniform(-np.pi, np.pi, len(eta))
+    found = is_inside(eta, eta[:, :3], 0.0, ts100, body)
+    depth = np.array([deepest(Rotation.from_euler("ZYX", e[5:2:-1]).apply(skin) + e[:3], body) for e in eta])
+    assert found[depth > 0.01].all() and not found[depth < -0.02].any()
+    assert 0 < found.sum() < len(eta)
+
+
+def deepest(points: np.ndarray, body: Body) -> float:
+    """m: of the points, in a box from the plane x = 0 on; negative: how far off, along one axis."""
+    half = body.width_m / 2.0
+    x, y, z = points.T
+    return float(np.minimum.reduce([x, body.length_m - x, half - np.abs(y), half - np.abs(z)]).max())
+
+
+def skin_of(vehicle: Vehicle) -> np.ndarray:
+    """Points on the hull's skin by its own formula, and on balls about its fins and screws."""
+    strips = HullStrips(vehicle.hull)  # type: ignore[arg-type]
+    x, turn = np.linspace(strips.x[0], strips.x[-1], 201), np.linspace(0.0, 2.0 * np.pi, 30)
+    radius = np.interp(x, strips.x, strips.radius)[:, None]
+    rings = np.stack([x[:, None] + 0.0 * turn, radius * np.cos(turn), radius * np.sin(turn)], axis=2)
+    ball = np.random.default_rng(0).normal(size=(150, 3))
+    ball /= np.linalg.norm(ball, axis=1)[:, None]
+    parts = [rings.reshape(-1, 3)]
+    for part in vehicle.actuators:
+        size = part.span_m if isinstance(part, Fin) else part.diameter_m
+        parts.append(np.array(part.position_m) + 0.5 * size * ball)
+    return np.vstack(parts)

@@ -22,7 +22,7 @@ class LightTwin:
         self.parameters = default_parameters(vehicle)
         self.phase: int = pb.MISSION_PHASE_IDLE
         self.mission: Any = None
-        self.steps = 0
+        self.steps = self.surfaced = 0
         self._log = np.zeros(1, LOG)
         self._events: list[TwinEvent] = []
 
@@ -41,6 +41,7 @@ class LightTwin:
         self._to(pb.MISSION_PHASE_ABORTED, "mission_aborted", f"Mission aborted: {reason}.")
 
     def surface(self) -> None:
+        self.surfaced += 1
         self._to(pb.MISSION_PHASE_PAUSED, "surfacing", "up")
 
     def wave_off(self) -> bool:

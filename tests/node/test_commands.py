@@ -33,9 +33,21 @@ def test_a_mission_through_all_its_phases(flying: Flying) -> None:
     assert again.accepted and again.run_id != reply.run_id
 
 
-@pytest.mark.parametrize("verb", ["pause", "resume", "abort"])
+def test_it_surfaces_out_of_a_mission_and_out_of_a_hold(flying: Flying) -> None:
+    """Protects: who wants it up need not stop its actuators and wait until it has drifted there."""
+    assert flying.start().accepted
+    assert flying.ask("surface").accepted and flying.twin.phase == PAUSED
+    assert flying.ask("resume").accepted and flying.twin.phase == RUNNING
+    flying.twin.phase = pb.MISSION_PHASE_COMPLETED
+    assert flying.ask("surface").accepted and flying.twin.phase == PAUSED
+    assert flying.twin.surfaced == 2
+    assert flying.ask("abort").accepted
+    assert not flying.ask("surface").accepted
+
+
+@pytest.mark.parametrize("verb", ["pause", "resume", "surface", "abort"])
 def test_what_the_phase_forbids_is_refused_with_the_phase(flying: Flying, verb: str) -> None:
-    """An idle vehicle has nothing to pause, resume or abort; the refusal is on record as an event."""
+    """An idle vehicle has nothing to pause, resume, bring up or abort; the refusal is an event."""
     reply = flying.ask(verb)
     assert not reply.accepted and reply.reason.endswith("the phase is IDLE")
     events = [event for cycle in flying.end() for event in cycle.events]

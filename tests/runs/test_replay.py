@@ -7,8 +7,13 @@ import pytest
 
 import bumpless
 from bumpless.contract import bumpless_pb2 as pb
-from bumpless.contract.messages import decoded
+from bumpless.contract.messages import decoded, encoded
+from bumpless.runs.flight_replay import FlightReplay
+from bumpless.runs.flown import Flown
+from bumpless.runs.info import ending_of
+from bumpless.runs.names import MISSION as MISSION_TOPIC
 from bumpless.runs.replay import NoReplay, Replay
+from bumpless.runs.writer import RunWriter
 
 MISSION = Path(__file__).parents[2] / "missions" / "docking.yaml"
 
@@ -83,3 +88,29 @@ def test_what_has_no_index_is_refused_in_words(tmp_path: Path, log: Path) -> Non
         path.write_bytes(data)
         with pytest.raises(NoReplay):
             Replay(path)
+
+
+def test_what_is_missing_within_a_file_is_told(tmp_path: Path) -> None:
+    """Protects from a stretch that nobody recorded and that looks flown; a slower pace is no gap."""
+    run = bumpless.fly(MISSION)
+    source = run._source
+    assert isinstance(source, Flown)
+    start_ns = source.started_ns
+    told = []
+    for time_ns, topic, message in source.timed():
+        t = (time_ns - start_ns) * 1e-9
+        rare = t > 60.0 and round(t / 0.05) % 20  # once a second, as a hold is recorded
+        if not (12.0 < t < 20.0 or (rare and topic.startswith("tlm/"))):
+            told.append((time_ns, topic, message))
+    status = next(message for _, topic, message in told if topic == MISSION_TOPIC)
+    path = tmp_path / "gap.mcap"
+    writer = RunWriter(path, status, path.stem, durable=False)
+    for time_ns, topic, message in told:
+        writer.write(topic, message.DESCRIPTOR.full_name, encoded(message), time_ns, message)
+    writer.finish(*ending_of(status))
+    assert FlightReplay([path]).gaps == [pytest.approx((12.0, 20.0), abs=0.051)]
+
+
+def test_a_whole_log_has_no_gap(replay: Replay) -> None:
+    """Protects from hatching where all was recorded."""
+    assert replay.gaps == []

@@ -27,7 +27,8 @@ export function ControlChip() {
     >
       {urgent && <WarningIcon />}
       <span class="ellipsis">
-        Control: {name}
+        <span class="control-word">Control: </span>
+        {name}
         {asking > 0 && `, ${asking} asking`}
       </span>
     </a>

@@ -3,6 +3,7 @@ import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { NONE } from "../lib/format";
 import { address, go, href } from "../shell/address";
+import { endingNamed } from "../ui/endings";
 import { UndoIcon } from "../ui/icons";
 import { Main } from "../ui/main";
 import { Empty, Panel } from "../ui/panel";
@@ -69,7 +70,7 @@ export function CompareView() {
                 <b class="run-key">{letterOf(k)}</b>
                 <a href={href("runs", run.id)}>{run.mission || run.id}</a>
                 <span class="code muted">{run.id}</span>
-                <span>{run.outcome.replace("_", " ") || "not judged"}</span>
+                <Ended outcome={run.outcome} reason={run.reason} />
                 {k > 0 && (
                   <button
                     type="button"
@@ -108,6 +109,20 @@ export function CompareView() {
         </>
       )}
     </Main>
+  );
+}
+
+function Ended({ outcome, reason }: { outcome: string; reason: string }) {
+  const look = endingNamed(outcome);
+  return (
+    <>
+      <span class="chip" data-look={look?.look ?? "unknown"} title={reason || look?.about}>
+        {look && <look.Icon size={11} />} {look?.word ?? "not judged"}
+      </span>
+      <span class="muted ellipsis compared-why" title={reason}>
+        {reason}
+      </span>
+    </>
   );
 }
 

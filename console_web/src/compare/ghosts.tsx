@@ -31,7 +31,7 @@ export function Ghosts({ comparison, align }: { comparison: Comparison; align: M
         data={() => dataOf(runs.current, aligned.value)}
         time={() => time.value}
       />
-      <label class="ghosts-time">
+      <label class="ghosts-time" hidden={last <= first}>
         <span class="num">{time.value.toFixed(1)} s</span>
         <input
           type="range"

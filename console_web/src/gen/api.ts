@@ -785,7 +785,7 @@ export interface paths {
         put?: never;
         /**
          * Change
-         * @description Pause, resume or abort.
+         * @description Pause, resume, surface or abort.
          */
         post: operations["change_api_mission__verb__post"];
         delete?: never;
@@ -1860,6 +1860,29 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/vehicle/station": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Vehicle Station
+         * @description On which headings it would hold station before its target in the current that it estimates.
+         *
+         *     With the parameters that it flies with, by the rule of a mission's check. Null where nothing flies now, or
+         *     where that vehicle does not hover.
+         */
+        get: operations["vehicle_station_api_vehicle_station_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/what-if": {
         parameters: {
             query?: never;
@@ -2912,6 +2935,7 @@ export interface components {
              * @enum {string}
              */
             kind: "findings";
+            station: components["schemas"]["HeldStation"] | null;
         };
         /**
          * ForesightFlight
@@ -3152,6 +3176,40 @@ export interface components {
             status: "ok";
             /** Version */
             version: string;
+        };
+        /**
+         * HeldArc
+         * @description Headings that hold station alike, from the first clockwise to the last; the whole circle: 0 to 359.
+         */
+        HeldArc: {
+            /** From Deg */
+            from_deg: number;
+            /** To Deg */
+            to_deg: number;
+            /**
+             * Zone
+             * @enum {string}
+             */
+            zone: "accepted" | "warned" | "refused";
+        };
+        /**
+         * HeldStation
+         * @description On which headings station is held before the target in a current, by the rule of the check.
+         */
+        HeldStation: {
+            /** Arcs */
+            arcs: components["schemas"]["HeldArc"][];
+            /** Current Ned Mps */
+            current_ned_mps: number[];
+            /** Heading Deg */
+            heading_deg: number;
+            /** Reason */
+            reason: string;
+            /**
+             * Zone
+             * @enum {string}
+             */
+            zone: "accepted" | "warned" | "refused";
         };
         /**
          * HullAnswer
@@ -8477,6 +8535,35 @@ export interface operations {
             404: components["responses"]["Refused404"];
             405: components["responses"]["Refused405"];
             409: components["responses"]["Refused409"];
+            421: components["responses"]["Refused421"];
+            422: components["responses"]["Refused422"];
+            429: components["responses"]["Refused429"];
+            500: components["responses"]["Refused500"];
+            503: components["responses"]["Refused503"];
+        };
+    };
+    vehicle_station_api_vehicle_station_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HeldStation"] | null;
+                };
+            };
+            400: components["responses"]["Refused400"];
+            401: components["responses"]["Refused401"];
+            403: components["responses"]["Refused403"];
+            405: components["responses"]["Refused405"];
             421: components["responses"]["Refused421"];
             422: components["responses"]["Refused422"];
             429: components["responses"]["Refused429"];

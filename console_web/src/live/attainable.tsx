@@ -6,7 +6,7 @@ import { inForce, screen } from "../stream/screen";
 import { Canvas } from "../ui/canvas";
 import { Empty } from "../ui/panel";
 import { Term } from "../words/term";
-import { marginOf, type Reach, reach, slice } from "./reach";
+import { acts, marginOf, type Reach, reach, slice } from "./reach";
 
 /** The two axes of each cut, as indices of X Y Z K M N. */
 const CUTS = [
@@ -105,7 +105,8 @@ function paint(g: CanvasRenderingContext2D, width: number, height: number, a: nu
   g.lineTo(cx, height);
   g.stroke();
   g.beginPath();
-  for (const [x, y] of cutOf(now, base, i, j, demanded[3 - i - j] ?? 0)) g.lineTo(...at(x, y));
+  const cut = cutOf(now, base, i, j, demanded[3 - i - j] ?? 0);
+  for (const [x, y] of cut) g.lineTo(...at(x * acts(now, a), y * acts(now, b)));
   g.closePath();
   g.fillStyle = colour("--accent-soft");
   g.strokeStyle = colour("--accent");

@@ -1,7 +1,11 @@
 // What the docking automaton is about: stage, approach, and why the last one was given up.
+import { useEffect } from "preact/hooks";
 import { DockingStage, type Supervisor, WaveOffReason } from "../gen/bumpless_pb";
 import { age, headingOf } from "../lib/format";
-import { inForce } from "../stream/screen";
+import { headingsOf, heldWord } from "../lib/held";
+import { inForce, screen } from "../stream/screen";
+import { CheckIcon, CrossIcon, WarningIcon } from "../ui/icons";
+import { heldNow, watchStation } from "./station";
 
 const STAGES: Record<DockingStage, string> = {
   [DockingStage.UNSPECIFIED]: "",
@@ -20,6 +24,12 @@ function words(reason: WaveOffReason): string {
   return (WaveOffReason[reason] ?? `reason ${reason}`).replaceAll("_", " ").toLowerCase();
 }
 
+/** The age of a fix that never was counts from the start. */
+function lastSeen({ fixAgeS, stamp }: Supervisor): string {
+  const never = stamp !== undefined && fixAgeS >= stamp.missionTimeS - 0.5;
+  return never ? "target not seen yet" : `target last seen ${age(fixAgeS)} ago`;
+}
+
 export function DockingLine({ supervisor: s }: { supervisor: Supervisor }) {
   if (s.dockingStage === DockingStage.UNSPECIFIED || !inForce.value) return null;
   const approach = s.dockingTries > 0 && `approach ${s.dockingTries} of ${s.dockingTriesMost}`;
@@ -27,11 +37,33 @@ export function DockingLine({ supervisor: s }: { supervisor: Supervisor }) {
     <p class="docking-line" role="group" aria-label="Docking">
       <b>{STAGES[s.dockingStage] ?? "Docking"}</b>
       {approach && <span class="num">{approach}</span>}
-      <span class="muted num">heading {headingOf(s.approachHeadingDeg, 0)}°</span>
-      {s.fixAgeS > FRESH_FIX_S && <span class="muted num">target last seen {age(s.fixAgeS)} ago</span>}
+      <span class="muted num">heading {headingOf(s.approachHeadingDeg, 0).padStart(3, "0")}°</span>
+      {screen.isLive && <Holds />}
+      {s.fixAgeS > FRESH_FIX_S && <span class="muted num">{lastSeen(s)}</span>}
       {s.waveOffReason !== WaveOffReason.UNSPECIFIED && (
         <span class="wave-off">waved off: {words(s.waveOffReason)}</span>
       )}
     </p>
+  );
+}
+
+const LOOKS = {
+  accepted: { Icon: CheckIcon, look: "good" },
+  warned: { Icon: WarningIcon, look: "warning" },
+  refused: { Icon: CrossIcon, look: "lost" },
+} as const;
+
+/** Whether its heading holds station in the current that it estimates, and which would. */
+function Holds() {
+  useEffect(watchStation, []);
+  const held = heldNow.value;
+  if (!held) return null;
+  const { Icon, look } = LOOKS[held.zone];
+  const good = headingsOf(held, "accepted") || "no heading surely";
+  return (
+    <span class={`holds ${look}`} role="group" aria-label="Station keeping" title={held.reason || undefined}>
+      <Icon size={11} /> {heldWord(held.zone)}
+      <span class="muted num">{held.zone === "accepted" ? good : `would hold: ${good}`}</span>
+    </span>
   );
 }

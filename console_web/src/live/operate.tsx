@@ -29,8 +29,10 @@ export function Operate() {
       </section>
       <section class="question" aria-label="Does it follow?">
         <h2>Does it follow?</h2>
-        <Following />
-        <PlotPanel />
+        <div class="follows">
+          <Following />
+          <PlotPanel />
+        </div>
       </section>
       <section class="question" aria-label="What is left?">
         <h2>What is left?</h2>

@@ -3,7 +3,7 @@ import { Mode } from "../gen/bumpless_pb";
 import { cycle, frame, START_S, store } from "../stream/frames";
 import { History } from "../stream/history";
 import { showRun } from "../stream/screen";
-import { pace } from "./pace";
+import { isDue, pace } from "./pace";
 import { window_s } from "./time_axis";
 
 function flown() {
@@ -55,4 +55,11 @@ it("is always due before the first value", () => {
   flown();
   const due = pace();
   expect([due(400), due(400)]).toEqual([true, true]);
+});
+
+/** Protects: with a draft flown ahead the window ended where that flight does, stood still, and so did the lines. */
+it("is due when the newest value moves on within a window that holds still", () => {
+  const last = { of: new History(), from: 0, to: 60, edge: 20, rows: 0, fresh: true };
+  expect(isDue(last, { ...last, edge: 20.05 }, 0.1)).toBe(false);
+  expect(isDue(last, { ...last, edge: 20.1 }, 0.1)).toBe(true);
 });

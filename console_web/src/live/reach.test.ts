@@ -1,7 +1,7 @@
 import { create } from "@bufbuild/protobuf";
 import { describe, expect, it } from "vitest";
 import { WrenchSchema } from "../gen/bumpless_pb";
-import { gauge, marginOf, type Reach, slice } from "./reach";
+import { acts, gauge, marginOf, type Reach, slice } from "./reach";
 
 /** A box of these half widths as rows d / h(d). */
 function box(...half: number[]): number[][] {
@@ -36,5 +36,10 @@ describe("the attainable sets", () => {
     expect(Math.max(...cut.map(([x]) => x))).toBeCloseTo(4, 6);
     expect(Math.max(...cut.map(([, z]) => z))).toBeCloseTo(2, 6);
     expect(slice(reach.force, 0, 2, 1.5)).toEqual([]);
+  });
+
+  it("have no width along an axis on which nothing acts now, though something may at another speed", () => {
+    const still = { ...reach, most: [4, 85, 2], high: [4, 0, 2], low: [-4, 0, -2] };
+    expect([0, 1, 2].map((axis) => acts(still, axis))).toEqual([1, 0, 1]);
   });
 });

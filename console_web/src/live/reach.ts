@@ -66,6 +66,14 @@ export function reachOf(axis: WrenchAxis): number {
   return reach.value?.most[WRENCH_AXES.indexOf(axis)] ?? 0;
 }
 
+const NOTHING = 1e-6; // of the most that an axis ever has
+
+/** 1 where something acts along an axis now, 0 where nothing does: no row bounds the set there, and it has no width. */
+export function acts(of: Reach, axis: number): 0 | 1 {
+  const least = NOTHING * (of.most[axis] ?? 0);
+  return Math.max(of.high[axis] ?? 0, -(of.low[axis] ?? 0)) > least ? 1 : 0;
+}
+
 /** What a demand leaves of the sets in its own direction, 0 to 1; undefined while not known. */
 export function marginOf(demand: Wrench | undefined, of: Reach | undefined): number | undefined {
   if (!demand || !of) return undefined;

@@ -20,8 +20,9 @@ async function refused(answer: Response): Promise<string> {
 
 async function logIn(given: HTMLFormElement, say: (text: string) => void): Promise<void> {
   const button = given.querySelector("button");
+  if (button?.getAttribute("aria-disabled") === "true") return;
   const password = given.querySelector<HTMLInputElement>("[name=password]");
-  if (button) button.disabled = true;
+  bar(button, "The server is being asked");
   say("");
   const body = JSON.stringify(Object.fromEntries(new FormData(given)));
   const headers = { "content-type": "application/json" };
@@ -39,7 +40,13 @@ async function logIn(given: HTMLFormElement, say: (text: string) => void): Promi
   } catch {
     say("The server cannot be reached.");
   }
-  if (button) button.disabled = false;
+  bar(button, "");
+}
+
+/** Out of use, and why; "": in use again. A disabled button would drop the keyboard's place. */
+function bar(button: HTMLButtonElement | null, why: string): void {
+  button?.setAttribute("aria-disabled", String(why !== ""));
+  if (button) button.title = why;
 }
 
 form?.addEventListener("submit", (event) => {

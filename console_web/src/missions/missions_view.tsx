@@ -1,8 +1,10 @@
 // Missions: the list, a place to drop a file, and the chosen mission in full.
+import { useSignalEffect } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { missions } from "../api/resources";
 import type { MissionSummary } from "../api/types";
 import { clock } from "../lib/format";
+import { address, go } from "../shell/address";
 import { chosen, mission as shown } from "../shell/commands";
 import { flying as flyingNow } from "../stream/link";
 import { live } from "../stream/store";
@@ -15,6 +17,10 @@ import { UploadZone } from "./upload";
 
 export function MissionsView() {
   useEffect(() => void missions.refresh(), []);
+  useSignalEffect(() => {
+    const { view, id } = address.value;
+    if (view === "missions" && id) chosen.value = id;
+  });
   return (
     <Main name="Missions" class="view missions">
       <div class="column">
@@ -55,6 +61,7 @@ function MissionRow({ mission, flying }: { mission: MissionSummary; flying: bool
         aria-pressed={shown.value === mission.name}
         onClick={() => {
           chosen.value = mission.name;
+          go("missions", mission.name, {}, true);
         }}
       >
         <span class="row-title">

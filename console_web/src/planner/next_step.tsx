@@ -1,4 +1,5 @@
 // One line over the water: what to do next, so that nobody has to read a manual first.
+import { flying } from "../stream/link";
 import { PlayIcon } from "../ui/icons";
 import { hard, plan, soft } from "./fly/forecast";
 import { mend } from "./fly/mend";
@@ -81,6 +82,7 @@ function Judged() {
   }
   if (forecast.state !== "done" || !forecast.chance || forecast.problems.length > 0) return null;
   const share = forecast.chance.docked / Math.max(1, forecast.chance.of);
+  if (flying.value) return null; // what is next is up to the vehicle
   if (share < 0.95) return <Doubtful docked={forecast.chance.docked} of={forecast.chance.of} />;
   return (
     <div class="next-step" data-look="good" role="status" aria-label="Next step">

@@ -19,7 +19,7 @@ import { learn, learnVehicles, vehicle, vehicles } from "./map/figures";
 import { PlanMap } from "./map/plan_map";
 import { copyOnEdit } from "./model/copy_on_edit";
 import { autosave, name, named, openMission } from "./model/library";
-import { broken, dragging, mission, selected } from "./model/plan";
+import { broken, dragging, flies, mission, selected } from "./model/plan";
 import { PlanBar } from "./plan_bar";
 import { Preflight } from "./preflight";
 import { Profile } from "./profile/profile";
@@ -48,7 +48,7 @@ export function PlannerView({ hidden }: { hidden: boolean }) {
       copyOnEdit(),
       autosave(),
       followCharts(),
-      plan.follow(() => name.value !== "" && !broken.value && flies()),
+      plan.follow(() => name.value !== "" && !broken.value && flies.value),
     ];
     for (const kind of ["copy", "cut", "paste"] as const) document.addEventListener(kind, onClipboard);
     document.addEventListener("keydown", onAnyKey);
@@ -115,12 +115,6 @@ export function PlannerView({ hidden }: { hidden: boolean }) {
       </datalist>
     </Main>
   );
-}
-
-/** A plan without a way or a dock is not flown: the next step says what is missing. */
-function flies(): boolean {
-  const view = mission.value;
-  return view.legs.length > 0 && view.dock !== undefined;
 }
 
 function Details() {

@@ -103,6 +103,7 @@ export function ReplayBar({ replay }: { replay: Replay }) {
           />
           <input
             type="range"
+            hidden={!replay.about.value}
             aria-label="Mission time"
             aria-valuetext={`${t.toFixed(1)} seconds after the start`}
             min={replay.first}

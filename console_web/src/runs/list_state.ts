@@ -1,10 +1,12 @@
 // What the list of runs shows now: it stays while other views are looked at, and can be kept as a view for all.
-import { computed, signal } from "@preact/signals";
+import { batch, computed, effect, signal, untracked } from "@preact/signals";
 import { ask } from "../api/client";
 import type { Answer } from "../api/http";
 import { Resource } from "../api/resource";
 import type { components } from "../gen/api";
+import { type Address, address, go } from "../shell/address";
 import { ALL, type Column, USUAL } from "./columns";
+import { asked, tell } from "./list_address";
 
 export type RunView = components["schemas"]["RunViewAnswer"];
 type Outcome = RunView["outcome"];
@@ -13,6 +15,30 @@ export const words = signal("");
 export const outcome = signal<Outcome>("");
 export const columns = signal<readonly Column[]>(USUAL);
 export const runViews = new Resource(() => ask("get", "/api/run-views"));
+
+/** The address is the list's own: neither a replay nor a comparison. */
+function isList({ view, query }: Address): boolean {
+  return view === "runs" && query.t === undefined && query.compare === undefined;
+}
+
+// A link brings the list as it was when it was copied; an address that says nothing leaves it as it is.
+effect(() => {
+  const at = address.value;
+  const given = isList(at) ? asked(at.query) : undefined;
+  if (!given) return;
+  batch(() => {
+    words.value = given.words;
+    outcome.value = given.outcome;
+    if (given.columns.join() !== columns.peek().join()) columns.value = given.columns;
+  });
+});
+
+// And whatever the list shows stands in the address, so that a reload or a copied link keeps it.
+effect(() => {
+  const query = tell({ words: words.value, outcome: outcome.value, columns: columns.value });
+  const at = address.value;
+  if (isList(at)) untracked(() => go("runs", at.id, query, true));
+});
 
 /** Nothing is searched for, and the usual columns are shown. */
 export const isUsual = computed(

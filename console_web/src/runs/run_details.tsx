@@ -58,22 +58,22 @@ export function RunDetails({ flight }: { flight: Flight }) {
           <>
             <OutcomeChip run={run} />
             {head.state !== "recording" && (
-              <a class="action primary" href={href("runs", run.id, { t: 0 })}>
-                <PlayIcon /> Replay
+              <a class="action small primary" href={href("runs", run.id, { t: 0 })}>
+                <PlayIcon size={12} /> Replay
               </a>
             )}
             {pieces.length === 1 && (
               <a
-                class="action"
+                class="action small"
                 href={address("/api/runs/{run}/log.mcap", { run: run.id })}
                 download={`${run.id}.mcap`}
               >
-                <DownloadIcon /> Download MCAP
+                <DownloadIcon size={12} /> Download MCAP
               </a>
             )}
             {head.state !== "recording" && (
               <a
-                class="action"
+                class="action small"
                 href={address("/api/runs/{run}/report.html", { run: run.id })}
                 target="_blank"
                 rel="noopener"

@@ -177,9 +177,12 @@ function Row({ flight, chosen, marked, onMark, onChoose }: RowProps) {
           type="checkbox"
           aria-label={`Mark ${head.id} to compare`}
           checked={marked}
-          disabled={head.state === "recording"}
+          aria-disabled={head.state === "recording"}
           title={head.state === "recording" ? "A run being recorded can't be compared yet" : undefined}
-          onClick={(event) => event.stopPropagation()}
+          onClick={(event) => {
+            event.stopPropagation();
+            if (head.state === "recording") event.preventDefault();
+          }}
           onChange={onMark}
         />
       </td>

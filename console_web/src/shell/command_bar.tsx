@@ -1,5 +1,6 @@
 // Second line, on every view: what flies, how far it is, and the four commands. Abort stands
 // apart at the far end and wants to be held.
+import { computed } from "@preact/signals";
 import { useRef } from "preact/hooks";
 import { barred, commands, OBSERVES } from "../access/control";
 import { ControlChip } from "../access/control_chip";
@@ -14,7 +15,7 @@ import { live } from "../stream/store";
 import { ActButton } from "../ui/act_button";
 import { endingNamed } from "../ui/endings";
 import { HoldButton } from "../ui/hold_button";
-import { PauseIcon, PlayIcon, StopIcon } from "../ui/icons";
+import { PauseIcon, PlayIcon, RiseIcon, StopIcon } from "../ui/icons";
 import { useKeptFocus } from "../ui/keep_focus";
 import { ProblemTable, RefusalNotice } from "../ui/refusal";
 import { Segments } from "../ui/segments";
@@ -54,7 +55,6 @@ export function CommandBar() {
       <section class="commandbar" aria-label="Mission control" ref={bar}>
         <Progress />
         <ControlChip />
-        <span class="grow" />
         {view.value === "live" && (
           <span data-aside>
             <Segments
@@ -76,6 +76,18 @@ export function CommandBar() {
             {paused ? <PlayIcon /> : <PauseIcon />} {paused ? "Resume" : "Hold"}
           </ActButton>
         )}
+        {inControl.value && (
+          <HoldButton
+            name="Surface"
+            class="surface"
+            holdMs={600}
+            why={why || barred.value}
+            title="Press and hold: gives the mission a rest and holds at the surface; it can be resumed"
+            onHeld={() => void command("surface")}
+          >
+            <RiseIcon /> Surface
+          </HoldButton>
+        )}
         <HoldButton
           name="Abort mission"
           class="abort"
@@ -91,6 +103,9 @@ export function CommandBar() {
     </>
   );
 }
+
+/** A mission is flown, or is over and station is held: there is somebody who can bring it up. */
+const inControl = computed(() => flying.value || phase.value === MissionPhase.COMPLETED);
 
 /** While an actuator may move, it can be aborted. */
 function whyNoAbort(): string {
@@ -119,6 +134,12 @@ function judged(runId: string | undefined): Event | undefined {
   return live.events.find(({ code, details }) => code === "outcome" && details.run?.startsWith(runId));
 }
 
+/** "Docked: held in hover ..." without the word that stands before it already. */
+function withoutWord(text: string, word: string): string {
+  const rest = word && text.toLowerCase().startsWith(`${word}: `) ? text.slice(word.length + 2) : text;
+  return capital(rest);
+}
+
 function capital(word: string): string {
   return word.charAt(0).toUpperCase() + word.slice(1);
 }
@@ -127,12 +148,13 @@ function Progress() {
   const status = live.latest("tlm/mission");
   const outcome = judged(status?.runId);
   const ending = endingNamed(outcome?.details.ending);
-  const ended = outcome?.text ?? status?.endReason;
+  const ended = withoutWord(outcome?.text ?? status?.endReason ?? "", ending?.word ?? "");
   return (
     <div class="mission-now" data-state={live.isFresh("tlm/mission") ? "fresh" : "stale"}>
       <span
         class="chip phase"
         data-look={ending?.look ?? PHASE_LOOKS[phase.value] ?? "idle"}
+        title={flying.value ? undefined : ended || undefined}
         role="status"
         aria-label="Mission phase"
       >
@@ -145,14 +167,12 @@ function Progress() {
         )}
       </span>
       {!status?.missionName && (
-        <span class="muted">
-          {phase.value === MissionPhase.UNSPECIFIED
-            ? "Waiting for the vehicle."
-            : "No mission loaded. Choose one and start it."}
+        <span class="muted ellipsis">
+          {phase.value === MissionPhase.UNSPECIFIED ? "Waiting for the vehicle." : "No mission loaded."}
         </span>
       )}
       {status?.missionName && (
-        <span class="mission-name" title={`Run ${status.runId || "–"}, seed ${status.seed}`}>
+        <span class="mission-name ellipsis" title={`Run ${status.runId || "–"}, seed ${status.seed}`}>
           {status.missionName}
         </span>
       )}
@@ -161,7 +181,7 @@ function Progress() {
       )}
       <After />
       {status?.missionName && !flying.value && ended && (
-        <span class="muted ellipsis" title={ended}>
+        <span class="muted ellipsis why-ended" title={ended}>
           {ended}
         </span>
       )}
@@ -252,6 +272,7 @@ function Chooser({ why }: { why: string }) {
         <span class="muted">Seed</span>
         <input
           inputMode="numeric"
+          aria-label="Seed"
           placeholder="auto"
           aria-invalid={seedRefused.value}
           title="Seed of the simulated sensors and sea; empty: the mission's own"

@@ -7,9 +7,15 @@ import { missions } from "../api/resources";
 import type { CommandReply } from "../api/types";
 import { foreign, ownFirst } from "../stream/present";
 
-export type Verb = "start" | "pause" | "resume" | "abort";
+export type Verb = "start" | "pause" | "resume" | "surface" | "abort";
 
-const WORDS: Record<Verb, string> = { start: "Start", pause: "Hold", resume: "Resume", abort: "Abort" };
+const WORDS: Record<Verb, string> = {
+  start: "Start",
+  pause: "Hold",
+  resume: "Resume",
+  surface: "Surface",
+  abort: "Abort",
+};
 
 export interface Notice {
   title: string;
@@ -47,6 +53,7 @@ const TITLES: Record<Verb, string> = {
   start: "Start refused.",
   pause: "Pause refused.",
   resume: "Resume refused.",
+  surface: "Surface refused.",
   abort: "Abort refused.",
 };
 

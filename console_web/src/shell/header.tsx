@@ -113,7 +113,7 @@ function Vehicle() {
       <span class="vehicle-name">{name}</span>
       {health && health.missedCycles > 0n && (
         <span class="chip" data-look="stale" title="Control cycles missed since the node started">
-          <WarningIcon /> {String(health.missedCycles)} missed
+          <WarningIcon /> {String(health.missedCycles)} <span class="spare">missed</span>
         </span>
       )}
       <span class="chip link-chip" data-look={look} role="status" aria-label={`Link: ${label}`}>
@@ -152,12 +152,16 @@ function Recording() {
       class="chip recording"
       data-look={on ? "recording" : "off"}
       data-beat={on ? beat() : undefined}
-      title={on ? `Run ${status?.recordingRunId}` : "Each mission is recorded from start to end"}
+      title={
+        on
+          ? `Run ${status?.recordingRunId}, ${bytes(status?.recordedBytes)}`
+          : "Each mission is recorded from start to end"
+      }
     >
       {on ? <RecordIcon size={11} /> : <HollowIcon size={11} />}
       {on ? (
         <>
-          REC <span class="num">{bytes(status?.recordedBytes)}</span>
+          REC <span class="num spare">{bytes(status?.recordedBytes)}</span>
         </>
       ) : (
         "Not recording"
@@ -183,7 +187,8 @@ function Clock() {
       title={`Show ${next === "UTC" ? "UTC" : "local time"} everywhere`}
       onClick={() => setZone(next)}
     >
-      {timeOfDay(now)} {zoneName(now)}
+      {timeOfDay(now).slice(0, 5)}
+      <span class="seconds">{timeOfDay(now).slice(5)}</span> {zoneName(now)}
     </button>
   );
 }

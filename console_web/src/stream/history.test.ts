@@ -36,6 +36,24 @@ function told() {
   return { history, say };
 }
 
+/** A cycle that only tells where the vehicle is. */
+function place(
+  history: History,
+  timeS: number,
+  of: { depth: number; missionTime: number; inForce: boolean },
+) {
+  const { depth, missionTime, inForce } = of;
+  const mode = inForce ? Mode.FORWARD : Mode.UNSPECIFIED;
+  history.append({
+    time: START_S + timeS,
+    missionTime,
+    inForce,
+    mode,
+    kappa: 1,
+    row: { north: 0, east: 0, depth },
+  });
+}
+
 /** Mission time, to the millisecond. */
 const ms = (time: number): number => Math.round((time - START_S) * 1000) / 1000;
 const times = (history: History): number[] => [...history.time.slice(0, history.length)].map(ms);
@@ -54,6 +72,20 @@ describe("the history", () => {
     for (const t of [0, 0.25, 5]) fly(t);
     expect(history.length).toBe(4);
     expect(history.column("depth")?.[2]).toBeNaN();
+  });
+
+  it("draws no line from where a vehicle lay to where its mission begins", () => {
+    const { history, say } = told();
+    say(0, { phase: MissionPhase.IDLE });
+    place(history, 1, { depth: 0, missionTime: 0, inForce: false });
+    place(history, 1.05, { depth: 2, missionTime: 0, inForce: false }); // put there; its phase comes later
+    place(history, 1.1, { depth: 2, missionTime: 0.05, inForce: true });
+    place(history, 30, { depth: 2.3, missionTime: 29, inForce: true });
+    place(history, 30.05, { depth: 5, missionTime: 0, inForce: true }); // the next one, out of a hold
+    const depth = [...(history.column("depth")?.slice(0, history.length) ?? [])];
+    const steps = depth.slice(1).map((value, i) => Math.abs(value - (depth[i] as number)));
+    expect(steps.filter((step) => step > 0.5)).toEqual([]);
+    expect(depth.filter((value) => Number.isFinite(value))).toEqual([3, 0, 2, 2, 2.3, 5]);
   });
 
   it("is filled by the past of a new connection without losing what is here", () => {

@@ -11,6 +11,9 @@ const ROOM = 15_000;
 export const GAP = 0.5;
 /** How far apart stand what was told before and after a step of the vehicle's clock, s. */
 const STEP = 1;
+/** A vehicle that is left alone drifts slower than this, and is estimated better. */
+const FASTEST_MPS = 2;
+const JUMP_M = 0.5;
 
 export class History {
   /** Rows in use of every column. */
@@ -84,7 +87,7 @@ export class History {
     if (past && time < previous) return;
     this.told = cycle.time;
     // A simulated vehicle is put at the start of its mission: that jump is no motion.
-    const begins = cycle.inForce && !this.flying;
+    const begins = (cycle.inForce && !this.flying) || this.isPut(cycle, time - previous);
     if (time - previous > this.gap || begins) this.breakOff();
     if (cycle.inForce) this.missionStart = time - cycle.missionTime;
     const ramps = cycle.inForce && this.before !== undefined && cycle.kappa < this.before.kappa;
@@ -93,6 +96,15 @@ export class History {
     this.flying = cycle.inForce;
     this.before = cycle;
     this.push(time, cycle.mode, this.withoutJumps(cycle.row));
+  }
+
+  /** Its place is told before its phase: it was put there where mission time begins anew, or no control moves it. */
+  private isPut(cycle: CycleRow, passed: number): boolean {
+    const before = this.before;
+    if (!before) return false;
+    if (cycle.missionTime < before.missionTime) return true;
+    const way = ["north", "east", "depth"].map((axis) => (cycle.row[axis] ?? 0) - (before.row[axis] ?? 0));
+    return !before.inForce && Math.hypot(...way) > JUMP_M + FASTEST_MPS * passed;
   }
 
   /** Angles go on past 360 so that a line never jumps. */

@@ -49,6 +49,7 @@ export const RecordIcon = icon(<circle cx="8" cy="8" r="5" />, true);
 export const HollowIcon = icon(<circle cx="8" cy="8" r="4.6" />);
 export const DownloadIcon = icon(<path d="M8 2v8M4.6 7 8 10.4 11.4 7M2.5 13.5h11" />);
 export const UploadIcon = icon(<path d="M8 10.6V2.4M4.6 5.6 8 2.2l3.4 3.4M2.5 13.5h11" />);
+export const RiseIcon = icon(<path d="M8 13.6V5.4M4.6 8.6 8 5.2l3.4 3.4M2.2 2.4h11.6" />);
 export const UndoIcon = icon(<path d="M5.5 3 2.5 6l3 3M2.8 6H10a3.6 3.6 0 0 1 0 7.2H7" />);
 export const RedoIcon = icon(<path d="m10.5 3 3 3-3 3M13.2 6H6a3.6 3.6 0 0 0 0 7.2h3" />);
 export const TrashIcon = icon(<path d="M2.5 4h11M6 4V2.4h4V4M4 4l.7 9.6h6.6L12 4" />);

@@ -63,6 +63,7 @@ def rows_of(parts: Mapping[str, Any]) -> list[Row]:
         _gentle("R→H", "0.116 (median)", groups, "step_rh"),
         _true_wrench(honest),
         _unknown_wrench(honest),
+        _learned_wrench(honest),
         _loads(said),
         _ballast(said),
     ]
@@ -178,11 +179,21 @@ def _unknown_wrench(honest: Numbers | None) -> Row:
     """On plants whose lift and thrust nobody on board knows: how much of the error is the allocator's."""
     figure, before = "the same where lift and thrust differ from the file", "not told apart"
     target = "S4 below S2 in what is allocated"
-    if honest is None:
+    return _wide(figure, before, target, honest, honest and honest["rows"])
+
+
+def _learned_wrench(honest: Numbers | None) -> Row:
+    """On the same plants, after one flight before from whose log thrust and lift were identified."""
+    figure = "the same, thrust and lift learned from the log of one flight before"
+    return _wide(figure, "never learned", "≤ 0.2 given as told", honest, honest and honest.get("learned"))
+
+
+def _wide(figure: str, before: str, target: str, honest: Numbers | None, rows: Numbers | None) -> Row:
+    if honest is None or rows is None:
         return Row(figure, before, target)
     said = (
         f"{name} {' / '.join(number(row['median'][key], 2) for key in _WRENCH)}"
-        for name, row in ((name, honest["rows"][name]) for name in ("S4", "S2"))
+        for name, row in ((name, rows[name]) for name in ("S4", "S2"))
     )
     of = f"{honest['plants']} wide plants; allocated / given as told / with the passive lift of the fins"
     return Row(figure, before, target, "; ".join(said), "", of)

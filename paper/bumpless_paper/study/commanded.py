@@ -12,7 +12,7 @@ from bumpless.jit.memory import floats
 from bumpless.physics.actuators import total_wrench
 from bumpless.physics.frames import ned_to_body
 from bumpless.sim.twin import Result, Twin, parameters_for
-from bumpless_paper.study.fly import Job
+from bumpless_paper.study.fly import Job, alteration_for
 
 
 @jit
@@ -34,7 +34,7 @@ def passive_wrenches(model, eta, nu, current, effectiveness, out):
 def commanded_error(job: Job, result: Result) -> float:
     """RMS of tau_d minus what the actuators gave as told, over the controllable channels, N and N m."""
     twin = Twin(result.vehicle, parameters_for(result.vehicle, result.mission))
-    twin.start(result.mission, job.seed, None, job.plant)
+    twin.start(result.mission, job.seed, None, alteration_for(job))
     model = np.array([twin.world["model"]]).view(np.recarray)[0]
     log = result.log
     passive = np.zeros((len(log), 6))

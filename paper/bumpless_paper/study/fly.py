@@ -2,7 +2,7 @@
 
 import os
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cache
 from typing import Any
 
@@ -12,6 +12,7 @@ from bumpless.config.parameters import Parameters
 from bumpless.config.vehicle import Vehicle, load_vehicle
 from bumpless.sim.twin import Result, simulate
 from bumpless_paper.study.figures import Figures, figures_of
+from bumpless_paper.study.learned import EARLIER, Unlearned, learned_from
 from bumpless_paper.study.plants import NOMINAL, Plant
 from bumpless_paper.study.scenarios import (
     FAULT_TIME_S,
@@ -34,6 +35,7 @@ class Job:
     plant: Plant = NOMINAL
     extra: Overrides = field(default_factory=dict)
     vehicle: str = "ts100"
+    learned: bool = False  # the plant has flown S4 before, and the vehicle's file says what its log told
 
 
 @cache
@@ -58,8 +60,15 @@ def parameters_for(job: Job) -> Parameters:
 
 def fly(job: Job) -> Result:
     """The flight of a job, whole."""
-    vehicle = _vehicle(job.vehicle)
-    return simulate(_mission(job.scenario), vehicle, parameters_for(job), job.seed, alter=job.plant)
+    vehicle, alter = _vehicle(job.vehicle), alteration_for(job)
+    if job.learned:
+        vehicle = learned_from(fly(replace(job, scenario="S4", seed=job.seed + EARLIER, learned=False)))
+    return simulate(_mission(job.scenario), vehicle, parameters_for(job), job.seed, alter=alter)
+
+
+def alteration_for(job: Job) -> Callable[[Any, Any], None]:
+    """What makes the true plant of what the autopilot of a job takes for its vehicle."""
+    return Unlearned(_vehicle(job.vehicle), job.plant) if job.learned else job.plant
 
 
 def figures_for(job: Job) -> Figures:

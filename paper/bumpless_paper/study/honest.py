@@ -24,6 +24,7 @@ from bumpless_paper.study.tables import Progress
 Judged = dict[str, float]  # of one flight
 HELD_OUT = 200  # first plant that had no part in choosing parameters
 AS_FILE = 20  # seeds flown on the plant that the allocator's map is of
+LEARNED = ("S4", "S2")  # flown once more with what was identified in a flight before
 MODES = {pb.MODE_FORWARD: "F", pb.MODE_REVERSE: "R", pb.MODE_HOVER: "H"}
 
 
@@ -70,16 +71,19 @@ def judge(
 ) -> dict[str, Any]:
     """Fly every row of the table on plants first .. first + n_plants - 1; plain values fit for JSON.
 
-    `as_file`: median RMS of e_tau by the true wrench on the plant of the vehicle's file, over seeds. Of each
-    row: the share of every ending with its 95 % interval, the median of each figure, and the share of
-    plants on which the largest step while settling is at most 0.05.
+    `as_file`: median RMS of e_tau by the true wrench on the plant of the vehicle's file, over seeds.
+    `learned`: two of the rows, their vehicles flown before, see `study.learned`. Of each row: the share of
+    every ending with its 95 % interval, the median of each figure, and the share of plants on which the
+    largest step while settling is at most 0.05.
     """
     plants = [draw(first + i, WIDE) for i in range(n_plants)]
     jobs = [Job(name, plant.number + 1, plant) for name in names for plant in plants]
     seeds = range(first, first + min(AS_FILE, n_plants))
     jobs += [Job(name, seed) for name in names for seed in seeds]
+    jobs += [Job(name, plant.number + 1, plant, learned=True) for name in LEARNED for plant in plants]
     flat = fly_all(jobs, judged, workers=workers, progress=progress)
     known = flat[len(names) * n_plants :]
+    after = known[len(names) * len(seeds) :]
     return {
         "plants": n_plants,
         "first": first,
@@ -87,6 +91,7 @@ def judge(
             name: _median([flight["e_tau_true"] for flight in known[k * len(seeds) : (k + 1) * len(seeds)]])
             for k, name in enumerate(names)
         },
+        "learned": {name: summed(after[k * n_plants : (k + 1) * n_plants]) for k, name in enumerate(LEARNED)},
         "rows": {
             name: summed(flat[k * n_plants : (k + 1) * n_plants]) | {"title": HONEST[name].title}
             for k, name in enumerate(names)

@@ -97,6 +97,7 @@ ROWS: tuple[Row, ...] = (
         GET /api/runs/{run}/log.mcap
         GET /api/alarms/limits
         GET /api/vehicle/reach
+        GET /api/vehicle/station
         GET /api/charts
         GET /api/charts/tiles
         GET /api/charts/{name}/file

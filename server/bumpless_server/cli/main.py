@@ -9,6 +9,7 @@ from bumpless_server.cli import (
     compare,
     envelope,
     export,
+    identify,
     keys,
     metrics,
     refly,
@@ -57,6 +58,7 @@ app.command()(metrics.metrics)
 app.command()(compare.compare)
 app.command()(report.report)
 app.command()(refly.refly)
+app.command()(identify.identify)
 app.command()(export.export)
 app.command()(envelope.envelope)
 app.command()(repair.repair)

@@ -117,6 +117,24 @@ class ForesightFloor(Told):
     least_m: float | None  # clearance of the plan, hull below its axis included
 
 
+class HeldArc(Told):
+    """Headings that hold station alike, from the first clockwise to the last; the whole circle: 0 to 359."""
+
+    zone: Literal["accepted", "warned", "refused"]
+    from_deg: float
+    to_deg: float
+
+
+class HeldStation(Told):
+    """On which headings station is held before the target in a current, by the rule of the check."""
+
+    current_ned_mps: list[float]  # the way it flows
+    arcs: list[HeldArc]
+    heading_deg: float  # that the vehicle would take, or has taken
+    zone: Literal["accepted", "warned", "refused"]  # of that heading
+    reason: str  # why not, or why not surely; "" where it is accepted
+
+
 class ForesightFindings(Told):
     """What stands against the plan, hard ones first."""
 
@@ -124,6 +142,7 @@ class ForesightFindings(Told):
     kind: Literal["findings"] = "findings"
     findings: list[ForesightFinding]
     floor: ForesightFloor | None  # null: the mission names no sea floor, or it is not known
+    station: HeldStation | None  # null: the vehicle only passes its target by
 
 
 class ForesightNominal(Told):

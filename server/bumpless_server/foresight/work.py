@@ -11,12 +11,13 @@ from bumpless.campaign.ready import ready
 from bumpless.config.mission import missions_folder
 from bumpless.config.problems import Problem, ProblemsError
 from bumpless.config.vehicle import Vehicle, VehicleError, parse_vehicle
-from bumpless_server.foresight import fan
+from bumpless.feasibility import station_of
+from bumpless_server.foresight import fan, held
 from bumpless_server.foresight.findings import findings_of, floor_below
 from bumpless_server.foresight.forecast import nominal
 from bumpless_server.foresight.plan import Plan, plan_of
 from bumpless_server.foresight.tasks import GivenUp, Task, Told
-from bumpless_server.foresight.told import ForesightFindings, ForesightProblem, ForesightProblems
+from bumpless_server.foresight.told import ForesightFindings, ForesightProblem, ForesightProblems, HeldStation
 from bumpless_server.foresight.wanted import ForesightRequest
 from bumpless_server.plan.charts.store import Charts
 
@@ -58,6 +59,7 @@ class Work:
                 id=task.request.id,
                 findings=findings_of(plan.mission, plan.vehicle),
                 floor=floor_below(plan.mission, plan.vehicle),
+                station=_station(plan),
             )
             yield "findings", found.model_dump_json()
             return
@@ -106,6 +108,11 @@ class Work:
         """The plan over its sea floor as it is stored now."""
         mission = self._charts.laid(plan.mission) if self._charts is not None else plan.mission
         return plan if mission is plan.mission else replace(plan, mission=mission)
+
+
+def _station(plan: Plan) -> HeldStation | None:
+    station = station_of(plan.mission, plan.vehicle)
+    return held.told(station, plan.mission.environment.current_ned_mps) if station is not None else None
 
 
 @lru_cache(maxsize=4)

@@ -127,10 +127,16 @@ class Stream:
         with self._lock:
             self._past.append([sample for sample in cycle if sample is not None])
 
-    def past(self) -> list[list[Sample]]:
-        """Cycles of the last two minutes, oldest first, for a browser that has just come."""
+    def past(self, after_ns: int = 0, before_ns: int | None = None) -> list[list[Sample]]:
+        """Cycles of the last two minutes, oldest first, received between two server times."""
         with self._lock:
-            return list(self._past)
+            return [
+                cycle
+                for cycle in self._past
+                if cycle
+                and cycle[0].receive_ns > after_ns
+                and (before_ns is None or cycle[0].receive_ns < before_ns)
+            ]
 
     def join(self) -> ClientBuffer:
         """A buffer for a new browser, holding the last value of every topic and the last events."""
@@ -153,12 +159,19 @@ class Stream:
             for cycle in self.past():
                 await send(frame_of(cycle, past=True))
             sent = loop.time() - FRAME_PERIOD_S
+            told_ns, replaced = 0, 0
             while True:
                 # after the news, not by a clock of our own: two clocks drift, and every drift costs a cycle
                 await client.wait()
                 await asyncio.sleep(max(GATHER_S, sent + FRAME_PERIOD_S - loop.time()))
                 sent = loop.time()
                 samples = client.take()
+                paced = [sample.receive_ns for sample in samples if sample.topic == PLOTTED[0]]
+                if client.replaced > replaced and paced and told_ns:
+                    # it was late, or this process was: its plots are filled as a new browser's are
+                    for cycle in self.past(told_ns, paced[0]):
+                        await send(frame_of(cycle, past=True))
+                replaced, told_ns = client.replaced, max([told_ns, *paced])
                 if samples:
                     await send(frame_of(samples))
         finally:

@@ -47,6 +47,7 @@ from bumpless_server.web.routes import (
     stream,
     what_if,
 )
+from bumpless_server.web.turned_away import Doorman
 
 log = logging.getLogger(__name__)
 
@@ -95,6 +96,7 @@ def create_app(settings: Settings, console: Console | None = None) -> FastAPI:
             if own:
                 await run_in_threadpool(console.start)
                 stack.push_async_callback(run_in_threadpool, console.stop)
+            stack.push_async_callback(doorman.stop)
             stack.push_async_callback(console.foresight.stop)
             stack.push_async_callback(console.what_if.stop)
             if app.state.scene is not None:
@@ -109,7 +111,8 @@ def create_app(settings: Settings, console: Console | None = None) -> FastAPI:
     app.add_middleware(
         BodyLimit, max_bytes=settings.upload_bytes, larger={"/api/runs-import": settings.import_bytes}
     )
-    app.add_middleware(Guard, auth=auth, guesses=guesses, lease=console.lease)
+    doorman = Doorman(console.audit)
+    app.add_middleware(Guard, auth=auth, guesses=guesses, lease=console.lease, turn_away=doorman.turn_away)
     errors.install(app)
     for router in ROUTERS:
         app.include_router(router)

@@ -9,9 +9,11 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from bumpless_server.access.lease import Lease, NotHolder
 from bumpless_server.access.rights import right_of
 from bumpless_server.access.who import Who
+from bumpless_server.live.tally import printable
 from bumpless_server.web.auth import Auth, new_cookie
 from bumpless_server.web.guesses import Guesses
-from bumpless_server.web.known import KEY
+from bumpless_server.web.known import KEY, address_of, author_of
+from bumpless_server.web.turned_away import Refused, TurnAway, nobody_told
 
 PAGE, LOGIN = "/", "/login"
 RECHECK_S = 1.0  # between two looks at whether who listens may still
@@ -30,8 +32,11 @@ OVER_TLS = {"strict-transport-security": "max-age=31536000"}
 class Guard:
     """Checks host, origin, who asks, the role it takes and who holds control; writes down who asks."""
 
-    def __init__(self, app: ASGIApp, auth: Auth, guesses: Guesses, lease: Lease) -> None:
+    def __init__(
+        self, app: ASGIApp, auth: Auth, guesses: Guesses, lease: Lease, turn_away: TurnAway = nobody_told
+    ) -> None:
         self._app, self._auth, self._guesses, self._lease = app, auth, guesses, lease
+        self._turn_away = turn_away
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Serve, or refuse before the route sees anything."""
@@ -51,6 +56,7 @@ class Guard:
             or self._auth.refusal(who, right_of("WS", scope["path"]), headers, websocket=True)
         )
         if refusal is not None or who is None:
+            await self._told(scope, "WS", refusal or (403, "nobody is known"), who)
             await receive()
             await send({"type": "websocket.close", "code": 1008, "reason": "refused"})
             return
@@ -76,6 +82,7 @@ class Guard:
         address = address_of(scope)
         bare = self._auth.bare(scope.get("scheme", ""), path)
         if refusal := bare or self._auth.foreign(method, headers) or self._guessed(headers, address):
+            await self._told(scope, method, refusal, None)
             await _refuse(send, *refusal)
             return
         who, right = self._auth.who(headers, address), right_of(method, path)
@@ -83,16 +90,24 @@ class Guard:
             if refusal[0] == 401 and path == PAGE and method in ("GET", "HEAD"):
                 await _answer(send, 303, b"", [("location", LOGIN)])
             else:
+                await self._told(scope, method, refusal, who)
                 await _refuse(send, *refusal)
             return
         if who is not None and right.control:
             try:
                 self._lease.check(who)
             except NotHolder as error:
+                await self._told(scope, method, (423, str(error)), who)
                 await _refuse(send, 423, str(error))
                 return
         scope[KEY] = who
         await self._app(scope, receive, self._with_headers(scope, send, headers, who))
+
+    async def _told(self, scope: Scope, method: str, refusal: tuple[int, str], who: Who | None) -> None:
+        """Let the audit know, before the answer goes."""
+        author = author_of(who, Headers(scope=scope)) if who is not None else ""
+        request = printable(f"{method} {scope['path']}")
+        await self._turn_away(Refused(request, *refusal, author, address_of(scope)))
 
     def _guessed(self, headers: Headers, address: str) -> tuple[int, str] | None:
         """Note a wrong token; (status, reason) for somebody who has given too many."""
@@ -120,11 +135,6 @@ class Guard:
             await send(message)
 
         return send_more
-
-
-def address_of(scope: Scope) -> str:
-    """Where a request comes from; behind a proxy that we trust, where the proxy says."""
-    return (scope.get("client") or ("somebody", 0))[0]
 
 
 async def _refuse(send: Send, status: int, reason: str) -> None:

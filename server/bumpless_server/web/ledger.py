@@ -10,14 +10,11 @@ from starlette.requests import HTTPConnection
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from bumpless_server.access.deeds import deed_of
-from bumpless_server.access.who import Who
 from bumpless_server.audit import Audit
-from bumpless_server.live.tally import printable
-from bumpless_server.web.guard import address_of
-from bumpless_server.web.known import KEY, who_asks
+from bumpless_server.web.known import KEY, address_of, author_of, who_asks
 
 DEED = "bumpless.deed"  # in the ASGI scope
-MOST_AUTHOR, MOST_SAID = 80, 300
+MOST_SAID = 300
 # Understood, and not done. What names nothing, or what nobody understands, asked for nothing.
 REFUSED = frozenset({403, 409, 412, 423, 500, 503, 507})
 
@@ -39,12 +36,6 @@ async def _deed(connection: HTTPConnection) -> Deed:
 
 
 Done = Annotated[Deed, Depends(_deed)]
-
-
-def author_of(who: Who, headers: Headers) -> str:
-    """Who asks, for the audit: the account; where nobody logs in as they say, else which browser."""
-    said = printable(headers.get("x-operator", ""))[:MOST_AUTHOR] if who.open else ""
-    return said or who.shown
 
 
 class Ledger:

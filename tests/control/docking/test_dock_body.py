@@ -7,6 +7,7 @@ import pytest
 
 import bumpless
 from bumpless.config.mission import parse_mission
+from bumpless.contract.enums import FORWARD
 from bumpless.sim.approach import turn_limit_deg, turn_used_deg
 from bumpless.sim.twin import simulate
 from bumpless_paper.study.docks import draw_case, fly_case, judge
@@ -45,6 +46,34 @@ def test_planned_legs_lead_round_the_dock(ts100, start, course, turn, width) -> 
     off = np.hypot(transit["eta"][:, 0] - 26.0, transit["eta"][:, 1])
     assert off.min() > 3.9 + mission.target.dock_radius_m
     assert "leg_near_dock" in [one.code for one in bumpless.check(mission)]
+
+
+# corners before, behind and beside the dock, after which the short turn sweeps the bow over it
+CORNERS = [
+    ("[32.92, -6.52, 3.42]", 221, ["[11.98, -8.17, 1.93]", "[4.91, -2.44, 2.3]", "[23.94, -1.63, 1.84]"]),
+    ("[11.05, -19.03, 2.47]", 353, ["[4.09, -2.7, 2.24]", "[32.86, -11.18, 2.76]"]),
+    ("[10.04, 21.67, 2.8]", 98, ["[9.5, 20.0, 1.96]", "[8.51, -18.97, 3.23]", "[17.46, -4.1, 2.37]"]),
+    ("[-6.84, 0.49, 2.0]", 336, ["[8.03, 2.0, 3.21]", "[0.28, -10.26, 1.72]", "[-1.28, -14.26, 3.4]"]),
+    ("[15.65, -9.99, 2.3]", 43, []),
+]
+
+
+@pytest.mark.parametrize(("start", "course", "corners"), CORNERS)
+@pytest.mark.parametrize("approach", ["", ", approach: into_current"])
+def test_no_turn_near_the_dock_leads_through_it(ts100, start, course, corners, approach) -> None:
+    """Protects: a heading clear of the dock may lie on its other side; six of 150 odd plans turned to it
+    through the dock."""
+    ends = [*corners, "[24.5, 0, 2.3]"]
+    legs = "\n".join(f"  - {{to_ned_m: {end}, speed_mps: 0.7}}" for end in ends)
+    text = LEGS.split("legs:\n")[0].format(start=start, course=course).replace("200", "500")
+    target = f"position_ned_m: [26, 0, 2.3], heading_deg: 0, standoff_m: 1.5{approach}"
+    text += f"legs:\n{legs}\ntarget: {{{target}}}\nend: {{hover_hold_s: 12}}\n"
+    mission = parse_mission(text, "corners.yaml", ts100)
+    run = bumpless.fly(mission)
+    assert run.outcome.ending == "docked"
+    in_f = run.columns.mode == FORWARD
+    off = np.hypot(run.columns.eta[in_f, 0] - 26.0, run.columns.eta[in_f, 1])
+    assert off.min() > 1.0 + mission.target.dock_radius_m
 
 
 def test_a_leg_far_above_the_dock_is_flown_as_it_is(ts100) -> None:

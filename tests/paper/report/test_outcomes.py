@@ -33,14 +33,11 @@ def parts() -> dict[str, Any]:
         "shifted": [True, True, False],
     }
     numbers = {"first": 6_000_000, "groups": groups, "responses": outcomes.responses(found)}
-    honest = {
-        "plants": 20,
-        "as_file": {"S4": 0.13, "S2": 0.16},
-        "rows": {
-            name: {"median": {"e_tau_map": 0.07, "e_tau_told": 0.3, "e_tau_true": true}}
-            for name, true in (("S4", 0.45), ("S2", 0.43))
-        },
+    wide = {
+        name: {"median": {"e_tau_map": 0.07, "e_tau_told": 0.3, "e_tau_true": true}}
+        for name, true in (("S4", 0.45), ("S2", 0.43))
     }
+    honest = {"plants": 20, "as_file": {"S4": 0.13, "S2": 0.16}, "rows": wide, "learned": wide}
     return {"outcome": {"numbers": numbers}, "honest": {"numbers": honest}}
 
 
@@ -60,6 +57,7 @@ def test_shares_are_told_as_counts_with_their_interval() -> None:
     assert rows["RMS e_τ by the true wrench, S4"].measured == "0.13; S2 0.16 (medians)"
     unknown = rows["the same where lift and thrust differ from the file"]
     assert unknown.measured == "S4 0.07 / 0.3 / 0.45; S2 0.07 / 0.3 / 0.43"
+    assert rows["the same, thrust and lift learned from the log of one flight before"].of == unknown.of
 
 
 def test_steps_count_the_flights_that_docked() -> None:

@@ -41,7 +41,7 @@ def test_in_and_out(server: Running) -> None:
         assert http.post("/api/logout").status_code == 204
         assert httpx.get(f"{server.url}/api/me", cookies=cookie).status_code == 401
     entries = [(one["verb"], one["author"]) for one in server.console.audit.entries()]
-    assert entries == [("log_in", "otto"), ("log_out", "otto")]
+    assert entries == [("log_in", "otto"), ("log_out", "otto"), ("turned_away", "")]
 
 
 def test_wrong_guesses_are_few_counted_and_slowed(server: Running) -> None:
@@ -94,7 +94,7 @@ def test_engineers_make_change_and_remove_accounts(server: Running) -> None:
         assert erna.delete("/api/users/nina").status_code == 404
         assert erna.delete("/api/users/erna").status_code == 409
         verbs = [one["verb"] for one in erna.get("/api/audit").json()]
-        assert verbs[:3] == ["remove_user", "change_user", "log_in"]
+        assert verbs[:4] == ["remove_user", "turned_away", "change_user", "log_in"]
         assert PASSWORD not in erna.get("/api/audit.jsonl").text
 
 

@@ -43,4 +43,5 @@ def test_without_a_vehicle_nothing_is_told(alone: Running) -> None:
     assert alone.http.get("/api/vehicle/reach").status_code == 404
     for wrong in ("nan", "inf", "1e9", "x"):
         assert alone.http.get("/api/vehicle/reach", params={"surge_mps": wrong}).status_code == 422
+    assert alone.http.get("/api/vehicle/station").json() is None
     assert alone.http.get("/api/alarms/limits").json()["depth_m"] == 0.3

@@ -67,6 +67,7 @@ COMMANDS: dict[str, type[Message]] = {
     "start": pb.StartMission,
     "pause": pb.Empty,
     "resume": pb.Empty,
+    "surface": pb.Empty,
     "abort": pb.Empty,
     "set_parameters": pb.Parameters,
     "shutdown": pb.Empty,

@@ -18,9 +18,9 @@ from bumpless.physics.lag import follow, lag
 
 f8, i8 = np.float64, np.int64
 
-_T_VELOCITY = 0.25  # s, smoothing of DVL velocity
+T_VELOCITY = 0.25  # s, smoothing of DVL velocity
 _T_DEPTH = 0.5  # s, depth sensor against integrated heave
-_T_RATE = 0.08  # s, smoothing of gyro rates
+T_RATE = 0.08  # s, smoothing of gyro rates
 _T_ATTITUDE = 0.15  # s, INS attitude against integrated rates
 _T_CURRENT = 8.0  # s, current estimate
 
@@ -67,7 +67,7 @@ def navigate(dt, settings, clock, sensors, model, effectiveness, m, state, out):
     nu_flow. settings: NAVIGATION_SETTINGS; effectiveness (n,): of the actuators, as believed."""
     ned = floats(3)
     fresh_start = clock.cycle == 0
-    k_rate = 1.0 if fresh_start else lag(dt, _T_RATE)
+    k_rate = 1.0 if fresh_start else lag(dt, T_RATE)
     k_att = 1.0 if fresh_start else lag(dt, _T_ATTITUDE)
     eta, nu = state.eta, state.nu
     for k in range(3):
@@ -78,7 +78,7 @@ def navigate(dt, settings, clock, sensors, model, effectiveness, m, state, out):
 
     if m.velocity_valid == 1:
         elapsed = dt * max(1, sensors.dvl_period)
-        k_vel = 1.0 if fresh_start else lag(elapsed, _T_VELOCITY)
+        k_vel = 1.0 if fresh_start else lag(elapsed, T_VELOCITY)
         k_cur = max(lag(elapsed, _T_CURRENT), elapsed / (elapsed + clock.time))  # a mean at first
         for k in range(3):
             nu[k] = follow(nu[k], m.velocity[k], k_vel)
@@ -87,7 +87,7 @@ def navigate(dt, settings, clock, sensors, model, effectiveness, m, state, out):
         for k in range(3):
             state.current[k] = follow(state.current[k], ned[k], k_cur)
     elif m.water_valid == 1:
-        k_vel = 1.0 if fresh_start else lag(dt * max(1, sensors.dvl_period), _T_VELOCITY)
+        k_vel = 1.0 if fresh_start else lag(dt * max(1, sensors.dvl_period), T_VELOCITY)
         add_current(k_vel, m, state)
     state.silent = 0 if m.velocity_valid == 1 or m.water_valid == 1 else state.silent + 1
     if state.silent > SILENCE * sensors.dvl_period:

@@ -5,7 +5,8 @@ says what of a mission can't work or is unlikely to, with the nearest change tha
 """
 
 from bumpless.feasibility.finding import HARD, SOFT, Finding, Mend
-from bumpless.feasibility.mission import check_mission
+from bumpless.feasibility.holding import arcs
+from bumpless.feasibility.mission import check_mission, station_of
 from bumpless.feasibility.station import ACCEPT, REFUSE, WARN, Station, station_keeping
 
 __all__ = [
@@ -17,6 +18,8 @@ __all__ = [
     "Finding",
     "Mend",
     "Station",
+    "arcs",
     "check_mission",
     "station_keeping",
+    "station_of",
 ]

@@ -15,19 +15,17 @@ from bumpless.feasibility.outline import near_part
 from bumpless.sim.approach import turn_limit_deg
 
 _STEP_M = 0.1
-_ROOM_M = 0.3  # least way from the nose in place to the dock's face: an overshoot is stopped within it
-_HULL_M = 0.5  # half width of hull and struts, with a little
+ROOM_M = 0.3  # least way from the nose in place to the dock's face: an overshoot is stopped within it
+HULL_M = 0.5  # half width of hull and struts, with a little
 
 
 def check_dock(mission: Mission, vehicle: Vehicle, parameters: Parameters) -> Iterator[Finding]:
     """Legs against the dock, and the place before it."""
     target = mission.target
-    if inside(target, mission.start.position_ned_m, _HULL_M):
-        text = "The vehicle starts in the dock."
-        yield Finding(HARD, "starts_in_dock", "start.position_ned_m", text)
     if parameters.docking.enabled:
         yield from _near_legs(mission, parameters)
         yield from _place(target, vehicle)
+        yield from _way_round(target, parameters)
     else:
         yield from _through(mission)
 
@@ -94,10 +92,10 @@ def _place(target: Target, vehicle: Vehicle) -> Iterator[Finding]:
     """Is there room for the nose where the vehicle is to hover, on every heading it may take?"""
     nose = vehicle.ends_m[0]
     before, limit = target.standoff_m - nose, turn_limit_deg(target, vehicle)
-    if before < _ROOM_M:
-        least = math.ceil(10.0 * (nose + _ROOM_M)) / 10.0
+    if before < ROOM_M:
+        least = math.ceil(10.0 * (nose + ROOM_M)) / 10.0
         text = (
-            f"{vehicle.id}'s nose would stand {before:.2f} m before the dock's face; it needs {_ROOM_M:g} m."
+            f"{vehicle.id}'s nose would stand {before:.2f} m before the dock's face; it needs {ROOM_M:g} m."
         )
         mend = Mend("target.standoff_m", least, f"Stand off {least:g} m")
         yield Finding(HARD, "standoff_too_short", "target.standoff_m", text, f"Make it {least:g} m.", (mend,))
@@ -111,17 +109,32 @@ def _place(target: Target, vehicle: Vehicle) -> Iterator[Finding]:
         yield Finding(SOFT, "tolerance_too_wide", field, text, f"{most:g}° says the same.", (mend,))
 
 
+def _way_round(target: Target, parameters: Parameters) -> Iterator[Finding]:
+    """Does the approach line begin outside of what is kept clear of the dock?"""
+    docking = parameters.docking
+    keep, begins = docking.keep_out_m + target.dock_radius_m, docking.entry_distance_m + target.standoff_m
+    if begins >= keep:
+        return
+    text = (
+        f"The approach line begins {begins:.1f} m before a dock that is passed {keep:.1f} m off: "
+        "who doesn't come straight on to it, or waves off, never gets round."
+    )
+    field, longer = "parameters.docking.entry_distance_m", float(math.ceil(keep - target.standoff_m + 1.0))
+    mend = Mend(field, longer, f"Begin the line {longer:g} m off")
+    yield Finding(SOFT, "line_in_keep_out", field, text, f"Set it to {longer:g} m.", (mend,))
+
+
 def _through(mission: Mission) -> Iterator[Finding]:
     """Legs through the dock, where nothing leads the vehicle round it."""
     target = mission.target
-    half = 0.5 * target.dock_width_m + _HULL_M
-    reach = math.hypot(target.dock_length_m + _HULL_M, half, half)  # no farther is a place in it
+    half = 0.5 * target.dock_width_m + HULL_M
+    reach = math.hypot(target.dock_length_m + HULL_M, half, half)  # no farther is a place in it
     for i, (start, end) in enumerate(pairwise(mission.path_ned_m)):
         part = near_part(start, end, mission.target.position_ned_m, reach)
         if part is None:
             continue
         a, b = np.array(start), np.array(end)
         steps = np.linspace(*part, max(2, math.ceil((part[1] - part[0]) * math.dist(start, end) / _STEP_M)))
-        if any(inside(mission.target, tuple(a + s * (b - a)), _HULL_M) for s in steps):
+        if any(inside(mission.target, tuple(a + s * (b - a)), HULL_M) for s in steps):
             text = "It leads through the dock."
             yield Finding(HARD, "leg_through_dock", f"legs[{i}].to_ned_m", text, "Lead it round.")

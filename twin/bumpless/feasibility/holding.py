@@ -9,12 +9,16 @@ from bumpless.config.mission import Mission
 from bumpless.config.mission.model import Target
 from bumpless.config.parameters import Parameters
 from bumpless.config.vehicle import Vehicle
+from bumpless.control.docking.line import approach_speed
 from bumpless.feasibility.finding import HARD, SOFT, Finding, Mend
 from bumpless.feasibility.long_hover import check_long_hover
+from bumpless.feasibility.reach import docking_settings, plain, top_speed
 from bumpless.feasibility.station import ACCEPT, REFUSE, Station, station_keeping, surely_held
+from bumpless.physics.model import build_model
 from bumpless.sim.approach import turn_limit_deg
 
 _FIELD = "target.heading_deg"
+_FAULTS = 1.6  # of the speed error that counts as a fault in R: twice it does in F
 OPEN_MPS = 0.01  # of current across that a plan can't know: two deviations of what foresight draws
 _SIDES = (
     "north", "north-east", "east", "south-east", "south", "south-west", "west", "north-west",
@@ -28,6 +32,7 @@ def check_station(mission: Mission, vehicle: Vehicle, parameters: Parameters) ->
     current, target = mission.environment.current_ned_mps, mission.target
     station = station_keeping(vehicle, parameters, current, target)
     held = station.chosen
+    yield from _against(mission, vehicle, parameters, station.chosen_deg)
     if held.zone == ACCEPT:
         yield from check_long_hover(mission, vehicle, parameters)
         yield from _unforeseen(mission, vehicle, parameters)
@@ -40,6 +45,31 @@ def check_station(mission: Mission, vehicle: Vehicle, parameters: Parameters) ->
     else:
         text = f"{vehicle.id} may not hold {at}: {held.reason}."
         yield Finding(SOFT, "current_hard_to_hold", _FIELD, text, change, mends)
+
+
+def _against(
+    mission: Mission, vehicle: Vehicle, parameters: Parameters, heading_deg: float
+) -> Iterator[Finding]:
+    """Is it fast enough against the current for the speed that the approach begins to brake from?"""
+    docking, guidance = parameters.docking, parameters.guidance
+    if not docking.enabled:
+        return
+    north, east, _ = mission.environment.current_ned_mps
+    heading, leg = math.radians(heading_deg), mission.legs[-1].speed_mps
+    head = -north * math.cos(heading) - east * math.sin(heading)
+    begins = plain(approach_speed)(docking_settings(docking), parameters.supervisor.range_fr_lower_m)
+    least = min(begins, guidance.reverse_speed_max_mps) - _FAULTS * docking.lag_most_mps
+    if leg - head >= least:
+        return
+    field, speed = f"legs[{len(mission.legs) - 1}].speed_mps", math.ceil(20.0 * (least + head)) / 20.0
+    good = max(leg - head, 0.0)
+    text = f"Against {head:.2f} m/s it makes {good:.2f} m/s good; an approach with less than {least:.2f} is "
+    text += "given up as too slow."
+    if speed > top_speed(build_model(vehicle)):
+        yield Finding(SOFT, "approach_too_slow", field, text, "Dock in less current.")
+        return
+    mend = Mend(field, speed, f"Fly the last leg at {speed:g} m/s")
+    yield Finding(SOFT, "approach_too_slow", field, text, f"Fly it at {speed:g} m/s.", (mend,))
 
 
 def _unforeseen(mission: Mission, vehicle: Vehicle, parameters: Parameters) -> Iterator[Finding]:
@@ -90,8 +120,13 @@ def spans(headings: np.ndarray, good: np.ndarray) -> str:
     """Arcs of headings, deg, in words: "070° to 110°, 300° to 010°"; good: one flag a heading, a circle."""
     if good.all():
         return "any heading"
+    found = arcs(headings, good)
+    return ", ".join(f"{a:03.0f}°" if a == b else f"{a:03.0f}° to {b:03.0f}°" for a, b in found)
+
+
+def arcs(headings: np.ndarray, good: np.ndarray) -> list[tuple[float, float]]:
+    """First and last heading of each stretch that is good, clockwise, deg; not for all of them good."""
     first = int(np.argmin(good))  # begin where it is not good, so that no arc is cut
     turned, flags = np.roll(headings, -first), np.roll(good, -first).astype(int)
     edges = np.flatnonzero(np.diff(np.concatenate([[0], flags, [0]])))
-    arcs = [(turned[a], turned[b - 1]) for a, b in zip(edges[::2], edges[1::2], strict=True)]
-    return ", ".join(f"{a:03.0f}°" if a == b else f"{a:03.0f}° to {b:03.0f}°" for a, b in arcs)
+    return [(float(turned[a]), float(turned[b - 1])) for a, b in zip(edges[::2], edges[1::2], strict=True)]

@@ -12,13 +12,14 @@ from bumpless.config.vehicle import Vehicle
 from bumpless.control.docking.line import approach_speed
 from bumpless.feasibility.finding import HARD, SOFT, Finding, Mend
 from bumpless.feasibility.reach import docking_settings, plain, top_speed
-from bumpless.feasibility.station import station_keeping
+from bumpless.feasibility.turns import round_time, turns_time
+from bumpless.metrics.outcome import DOCKED
 from bumpless.physics.model import build_model
 
-_CRAB_MOST = 0.35  # sine of the largest crab angle
+_CRAB_SURE = 0.45  # sine of the crab angle up to which a leg is followed without an offset
+_CRAB_MOST = 0.75  # and with which hardly any way is made good along it
 _ASIDE_M = 6.0  # from the last leg's end to the observation point: an approach can make up for no more
 _DEEPER_M = 1.0
-_JOINED_RAD = 0.9  # of turn on to the approach line, as in `control.docking.gates.can_join`
 
 
 def check_legs(mission: Mission, vehicle: Vehicle, parameters: Parameters) -> Iterator[Finding]:
@@ -37,20 +38,32 @@ def check_legs(mission: Mission, vehicle: Vehicle, parameters: Parameters) -> It
             text = "The current sets it off the leg faster than it can make good."
             yield Finding(HARD, "leg_not_flyable", field, text, "Fly it faster, or along another way.")
             continue
+        if abs(_crab(mission, i)) > _CRAB_SURE:
+            text = "The current comes so much from abeam that it may fly beside the leg by some metres."
+            yield Finding(SOFT, "leg_drifted_off", field, text, "Fly it faster, or along another way.")
         yield from _depth(mission, i, start, end, parameters)
 
 
 def leg_speed(mission: Mission, i: int) -> float:
     """Speed over ground that leg i is flown with in the mission's current, m/s; 0 where it can't be."""
-    start, end = mission.path_ned_m[i : i + 2]
-    course = math.atan2(end[1] - start[1], end[0] - start[0])
-    north, east, _ = mission.environment.current_ned_mps
-    along = north * math.cos(course) + east * math.sin(course)
-    across = -north * math.sin(course) + east * math.cos(course)
-    sine = across / mission.legs[i].speed_mps
+    sine, (along, _) = _crab(mission, i), _split(mission, i)
     if abs(sine) > _CRAB_MOST:
         return 0.0
     return max(mission.legs[i].speed_mps * math.sqrt(1.0 - sine * sine) + along, 0.0)
+
+
+def _crab(mission: Mission, i: int) -> float:
+    """Sine of the angle into the current that keeps leg i; beyond 1: there is none."""
+    return _split(mission, i)[1] / mission.legs[i].speed_mps
+
+
+def _split(mission: Mission, i: int) -> tuple[float, float]:
+    """The current along leg i and across it, m/s."""
+    start, end = mission.path_ned_m[i : i + 2]
+    course = math.atan2(end[1] - start[1], end[0] - start[0])
+    north, east, _ = mission.environment.current_ned_mps
+    c, s = math.cos(course), math.sin(course)
+    return north * c + east * s, -north * s + east * c
 
 
 def leg_time(mission: Mission, i: int) -> float:
@@ -98,38 +111,21 @@ def approach_time(parameters: Parameters, mission: Mission) -> float:
     return float(np.sum(0.05 / speeds[slow]) - np.sum(slow) * 0.05 / speed)
 
 
-def round_time(mission: Mission, vehicle: Vehicle, parameters: Parameters) -> float:
-    """Time that the way round to the approach line adds to the last leg, s; 0 where the leg leads on to it.
-
-    A turn by delta on to a line that begins d before the dock: about d (1 - cos delta) + R delta.
-    """
-    d, speed = parameters.docking, mission.legs[-1].speed_mps
-    if not d.enabled:
-        return 0.0
-    start, end = mission.path_ned_m[-2:]
-    short = math.dist(start, end) < d.entry_distance_m + 2.0 * d.turn_radius_m  # it is decided as it begins
-    before, after = mission.path_ned_m[-3:-1] if short and len(mission.legs) > 1 else (start, end)
-    course = math.atan2(after[1] - before[1], after[0] - before[0])
-    current = mission.environment.current_ned_mps
-    heading = math.radians(station_keeping(vehicle, parameters, current, mission.target).chosen_deg)
-    turn = abs((heading - course + math.pi) % (2.0 * math.pi) - math.pi)
-    room = math.dist(start, end) - parameters.supervisor.range_fr_lower_m - 1.5 * d.turn_radius_m * turn
-    if turn < _JOINED_RAD and room > 0.0:
-        return 0.0
-    turn = turn if turn >= _JOINED_RAD else math.pi
-    return (d.entry_distance_m * (1.0 - math.cos(turn)) + d.turn_radius_m * turn) / speed
-
-
 def time_there(mission: Mission, vehicle: Vehicle, parameters: Parameters) -> float:
     """Time until it hovers before the target, s, if the first approach succeeds; infinite: never."""
     way = sum(leg_time(mission, i) for i in range(len(mission.legs)))
-    return way + approach_time(parameters, mission) + round_time(mission, vehicle, parameters)
+    end, point = mission.legs[-1].to_ned_m, mission.target.observation_point_ned_m
+    heading = math.radians(mission.target.heading_deg)
+    short = (point[0] - end[0]) * math.cos(heading) + (point[1] - end[1]) * math.sin(heading)
+    way += max(short, 0.0) / mission.legs[-1].speed_mps
+    turns, around = turns_time(mission, parameters), round_time(mission, vehicle, parameters)
+    return way + turns + around + approach_time(parameters, mission)
 
 
 def check_time(mission: Mission, vehicle: Vehicle, parameters: Parameters) -> Iterator[Finding]:
     """Is the way flown within the duration, with the approach and the hold?"""
     way = sum(leg_time(mission, i) for i in range(len(mission.legs)))
-    hold = mission.end.hover_hold_s or 10.0
+    hold = mission.end.hover_hold_s or DOCKED.hold_s
     total, most = time_there(mission, vehicle, parameters) + hold, mission.duration_s
     if not math.isfinite(way):
         return
@@ -141,6 +137,17 @@ def check_time(mission: Mission, vehicle: Vehicle, parameters: Parameters) -> It
     elif total > most:
         text = f"Legs, approach and {hold:g} s of hover take about {total:.0f} s of {most:g} s."
         yield Finding(SOFT, "short_of_time", "duration_s", text, needed, mends)
+
+
+def check_hold(mission: Mission, parameters: Parameters) -> Iterator[Finding]:
+    """Does the mission last until it has docked?"""
+    hold, docked = mission.end.hover_hold_s, DOCKED.hold_s
+    if hold is None or hold >= docked or mission.target.dock or parameters.guidance.speed_min_mps > 0.0:
+        return
+    field = "end.hover_hold_s"
+    text = f"It ends after {hold:g} s of hover: docked means {docked:g} s in place, so it can only be held."
+    mend = Mend(field, docked, f"End after {docked:g} s of hover")
+    yield Finding(SOFT, "hold_too_short", field, text, f"Hold {docked:g} s or longer.", (mend,))
 
 
 def check_end(mission: Mission) -> Iterator[Finding]:

@@ -9,13 +9,16 @@ import numpy as np
 from bumpless.config.mission import Mission
 from bumpless.config.parameters import Parameters
 from bumpless.config.vehicle import Vehicle
-from bumpless.feasibility.finding import SOFT, Finding, Mend
+from bumpless.feasibility.dock import ROOM_M
+from bumpless.feasibility.finding import HARD, SOFT, Finding, Mend
 from bumpless.feasibility.outline import near_part
 from bumpless.feasibility.reach import plain
 from bumpless.physics.camera import in_view, view_from
 from bumpless.sim.settings import sensors_of
 
 _STEP_M = 0.25
+_LEAST_M = 2.5  # before the observation point: seen later, no break-off is late enough
+_LATE_M, _ENOUGH_M = 4.0, 5.0  # a late break-off works in murk more than in clear water; sure to do
 
 
 def seen_from(mission: Mission, vehicle: Vehicle, leg: int) -> float | None:
@@ -72,10 +75,26 @@ def check_first_sight(mission: Mission, vehicle: Vehicle, parameters: Parameters
     reach, murk = float(sensors.camera_range_max[0]), mission.environment.beam_attenuation_per_m
     if murk > 0.0:
         reach = min(reach, float(sensors.camera_sight) / murk)
-    left = reach - mission.target.standoff_m + float(sensors.camera_position[0][0])
-    if left < parameters.docking.break_off_m:
+    target = mission.target
+    left = reach - target.standoff_m + float(sensors.camera_position[0][0])
+    if left < _LEAST_M:
+        where = "no sooner than there" if left < 0.0 else f"{left:.1f} m before it"
+        text = f"{target.standoff_m:g} m off, the target is seen {where}: too late to stop by it."
+        yield Finding(HARD, "never_seen", "target.standoff_m", text, *_nearer(mission, vehicle, left))
+    elif left < parameters.docking.break_off_m:
         text = f"The target is seen {left:.1f} m before the observation point, past the place to break off."
         field = "parameters.docking.break_off_m"
-        later = round(max(left - 1.0, 0.5), 1)
-        mend = Mend(field, later, f"Break off at {later:g} m")
-        yield Finding(SOFT, "seen_too_late", field, text, f"Set it to {later:g} m.", (mend,))
+        later = round(left - 1.0, 1)
+        mends = (Mend(field, later, f"Break off at {later:g} m"),)
+        if left < _LATE_M:
+            mends = (*_nearer(mission, vehicle, left)[1], *mends)
+        yield Finding(SOFT, "seen_too_late", field, text, f"Set it to {later:g} m.", mends)
+
+
+def _nearer(mission: Mission, vehicle: Vehicle, left: float) -> tuple[str, tuple[Mend, ...]]:
+    """A standoff from which the target is seen early enough, in words and as a change."""
+    standoff = math.floor(10.0 * (mission.target.standoff_m - _ENOUGH_M + left)) / 10.0
+    if standoff < vehicle.ends_m[0] + ROOM_M:
+        return "Dock in clearer water.", ()
+    mend = Mend("target.standoff_m", standoff, f"Stand off {standoff:g} m")
+    return f"Make it {standoff:g} m.", (mend,)

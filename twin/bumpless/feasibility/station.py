@@ -97,6 +97,7 @@ class _Rule:
         self.parameters = parameters
         self.docking = docking_settings(parameters.docking)
         self.sway = side_force(self.model)
+        self.abeam = self._most_abeam() if self.sway > 0.0 else 0.0
         self.take(current)
 
     def take(self, current: tuple[float, float, float]) -> None:
@@ -133,11 +134,14 @@ class _Rule:
             return self._pushing(across)
         return self._pointing(along, across) if self.parameters.docking.enabled else self._kept(along, across)
 
+    def _most_abeam(self) -> float:
+        """The current across, m/s, that sideways thrust is a match for."""
+        speeds = np.linspace(0.0, 5.0, 501)
+        return float(max(speed for speed in speeds if drag(self.model, 1, float(speed)) <= self.sway))
+
     def _pushing(self, across: float) -> Held:
         """With sideways thrust."""
-        speeds = np.linspace(0.0, 5.0, 501)
-        most = float(max(speed for speed in speeds if drag(self.model, 1, float(speed)) <= self.sway))
-        margin = most - abs(across)
+        most, margin = self.abeam, self.abeam - abs(across)
         if abs(across) <= _SURE_SHARE * most:
             return Held(ACCEPT, margin)
         return Held(

@@ -17,7 +17,7 @@ class EndErrors:
     horizontal_m: float  # its horizontal part
     depth_m: float  # its vertical part, positive below
     heading_deg: float  # -180 to 180
-    speed_mps: float  # over ground, 3-D
+    speed_mps: float  # over ground, 3-D; by the truth against a target that moves
 
     def message(self) -> pb.EndErrors:
         """As the contract's."""
@@ -42,7 +42,26 @@ class Errors:
 
 def true_errors(run: Columns) -> Errors:
     """By the truth; NaN where nobody knows it. The true point stands off the target as the believed one."""
-    return _errors(run.eta, run.nu, run.observation_point + (run.target_true - run.target[:, :3]), run)
+    errors = _errors(run.eta, run.nu, run.observation_point + (run.target_true - run.target[:, :3]), run)
+    moves = len(run) > 1 and np.nan_to_num(np.ptp(run.target_true, axis=0)).any()
+    if moves and (np.diff(run.time) > 0.0).all():
+        errors.speed[:] = _speed_against(run)
+    return errors
+
+
+def _speed_against(run: Columns) -> Floats:
+    """(n,) m/s of the hull against a target that moves, as a hung dock does."""
+    moving = np.gradient(run.target_true, run.time, axis=0)
+    return lengths(turned(run.eta, run.nu[:, :3]) - moving)
+
+
+def turned(eta: Floats, body: Floats) -> Floats:
+    """(n, 3) vectors in body axes, turned into NED by the attitudes of eta (n, 6)."""
+    c, s = np.cos(eta[:, 3:]), np.sin(eta[:, 3:])
+    (cf, ct, cp), (sf, st, sp), (x, y, z) = c.T, s.T, body.T
+    north = cp * ct * x + (cp * st * sf - sp * cf) * y + (sp * sf + cp * cf * st) * z
+    east = sp * ct * x + (cp * cf + sf * st * sp) * y + (st * sp * cf - cp * sf) * z
+    return np.stack([north, east, -st * x + ct * sf * y + ct * cf * z], axis=1)
 
 
 def believed_errors(run: Columns) -> Errors:

@@ -86,6 +86,13 @@ class Flight:
         self._in_force = "none"
         return self._done("mission resumed")
 
+    def surface(self) -> pb.CommandReply:
+        """Hold at the surface, the mission at rest; also where it is over and station is held."""
+        if self.twin.phase not in MOVING:
+            return self.refuse("surface", f"nothing is flown; the phase is {phase_name(self.twin.phase)}")
+        self.twin.surface()
+        return self._done("holding at the surface")
+
     def abort(self, reason: str = "aborted by the operator") -> pb.CommandReply:
         """Stop all actuators at once: while one may move, this is not refused."""
         if self.twin.phase not in MOVING:

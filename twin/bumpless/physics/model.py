@@ -36,6 +36,7 @@ def build_model(vehicle: Vehicle) -> np.record:
     model["D_quadratic"] = coefficients.D_quadratic
     model["D_lift"] = coefficients.D_lift
     model["controllable"] = [float(name in vehicle.controllable) for name in WRENCH]
+    model["half_height"] = vehicle.hull.diameter_m / 2.0
     if isinstance(vehicle.hull, MyringHull):
         strips = HullStrips(vehicle.hull)
         model["rings"] = hull_rings(strips.x[::-1], strips.radius[::-1])[0]

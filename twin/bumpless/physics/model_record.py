@@ -25,6 +25,7 @@ MODEL = np.dtype(
         ("D_linear", f8, (6, 6)),
         ("D_quadratic", f8, (6, 6)),
         ("D_lift", f8, (6, 6)),
+        ("half_height", f8),  # of the hull, m
         ("rings", HULL_RINGS),  # of a hull of revolution, from the nose; what can touch a dock
         ("controllable", f8, 6),  # 1 where the actuators can act, 0 elsewhere (S_c)
         # one entry for each command; what belongs to an actuator stands at its first, see `physics.actuators`

@@ -9,10 +9,11 @@ from bumpless.config.capacity import MAX_ACTUATORS as _n
 from bumpless.jit import jit
 from bumpless.jit.memory import floats
 from bumpless.physics.actuators import lag_rate, total_wrench
-from bumpless.physics.dock.latch import can_touch, close_latch, feel_dock
+from bumpless.physics.dock.latch import can_touch, close_latch, feel_dock, steps_near
 from bumpless.physics.dynamics import body_acceleration, displaced_water_force
 from bumpless.physics.faults import blend_faults
 from bumpless.physics.frames import body_to_ned, euler_rates, ned_to_body
+from bumpless.physics.surface import lose_buoyancy
 from bumpless.physics.water import step_gust, water_velocity
 
 f8 = np.float64
@@ -63,6 +64,8 @@ def state_rate(model, environment, gust, effectiveness, time, x, command, rate):
     nu_c_dot[2] -= nu[3] * body[1] - nu[4] * body[0]
     for k in range(6):
         tau[k] += environment.tau_e[k]
+    if environment.surface == 1:
+        lose_buoyancy(model, environment, time, eta, tau)
     if can_touch(environment.dock, model.rings, eta):
         feel_dock(environment.dock, model.rings, eta, nu, time, tau)
     body_acceleration(model, eta, nu, nu_r, nu_c_dot, tau, force, rate[6:12])
@@ -76,7 +79,7 @@ def state_rate(model, environment, gust, effectiveness, time, x, command, rate):
 
 @jit
 def step_plant(model, environment, faults, plant, command, dt, substeps, noise):
-    """Advance `plant` by dt seconds in `substeps` Runge-Kutta steps under held commands (8,).
+    """Advance `plant` by dt seconds in `substeps` Runge-Kutta steps under held commands (8,); more at a dock.
 
     noise: the cycle's standard normal samples, for gusts and eddies.
     """
@@ -88,8 +91,9 @@ def step_plant(model, environment, faults, plant, command, dt, substeps, noise):
         x[6 + i] = plant.nu[i]
     for i in range(8):
         x[12 + i] = plant.u[i]
-    h = dt / substeps
-    for _ in range(substeps):
+    steps = steps_near(environment.dock, model.rings, plant.eta, plant.nu, dt, substeps)
+    h = dt / steps
+    for _ in range(steps):
         t = plant.time
         state_rate(model, environment, plant.gust, plant.effectiveness, t, x, command, k)
         for i in range(N_STATE):

@@ -10,6 +10,7 @@ that the error across grows with range).
 from math import pi
 
 from bumpless.jit import jit
+from bumpless.jit.memory import floats
 from bumpless.physics.camera import view_from
 from bumpless.physics.noise import (
     USBL_BEARING,
@@ -28,7 +29,7 @@ def measure_usbl(sensors, errors, target, plant, cycle, m):
     m.usbl_fresh = 0
     if cycle % sensors.usbl_period != 0:
         return
-    s, key, view = errors.noise_scale, errors.key, m.usbl
+    s, key, view = errors.noise_scale, errors.key, floats(3)
     view_from(sensors.usbl_position, 0.0, plant.eta, target, view)
     if view[0] > sensors.usbl_range_max or uniform(key, cycle, USBL_LOST) < sensors.usbl_dropout:
         return
@@ -40,3 +41,5 @@ def measure_usbl(sensors, errors, target, plant, cycle, m):
     view[0] = max(0.0, view[0] + s * sensors.usbl_range_std * normal(key, cycle, USBL_RANGE))
     view[1] += s * sensors.usbl_angle_std * normal(key, cycle, USBL_BEARING)
     view[2] += s * sensors.usbl_angle_std * normal(key, cycle, USBL_ELEVATION)
+    for k in range(3):
+        m.usbl[k] = view[k]  # a reply that is missed tells nothing

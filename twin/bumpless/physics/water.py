@@ -11,11 +11,10 @@ from bumpless.config.capacity import MAX_PROFILE
 from bumpless.jit import jit
 from bumpless.physics.dock.record import DOCK
 from bumpless.physics.lag import decay
+from bumpless.physics.surface import GRAVITY
 from bumpless.physics.wake import shelter, step_eddies
 
 f8, i8 = np.float64, np.int64
-
-GRAVITY = 9.80665  # m/s^2, standard
 
 ENVIRONMENT = np.dtype(  # what acts on a vehicle besides itself
     [
@@ -34,6 +33,7 @@ ENVIRONMENT = np.dtype(  # what acts on a vehicle besides itself
         ("wave_period", f8),  # s
         ("wave_direction", f8),  # rad, towards
         ("wave_second_order", i8),  # 1: with the convective acceleration
+        ("surface", i8),  # 1: a hull that comes out of the water loses buoyancy
         ("tau_e", f8, 6),  # constant external load, N and N m
         ("dock", DOCK),
     ],

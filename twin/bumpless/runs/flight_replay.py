@@ -64,12 +64,15 @@ class FlightReplay:
 
     @property
     def gaps(self) -> list[tuple[float, float]]:
-        """From the last cycle of a piece to the first of the next, where more than a few are missing, s."""
-        found = []
+        """From the last cycle before to the first after, where more than a few are missing, s.
+
+        Within a file and between two.
+        """
+        found = [gap for replay in self._replays for gap in replay.gaps]
         for before, after in pairwise(self.pieces):
             if after.first_s - before.last_s > GAP_S + 2.0 * max(before.pace_s, after.pace_s):
                 found.append((before.last_s, after.first_s))
-        return found
+        return sorted(found)
 
     def close(self) -> None:
         """Close the files."""

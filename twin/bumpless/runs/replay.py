@@ -9,6 +9,7 @@ import threading
 from collections import OrderedDict
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 
 import numpy as np
@@ -19,11 +20,13 @@ from mcap.records import ChunkIndex
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.keys import SAID
 from bumpless.contract.messages import stamp_of
+from bumpless.metrics.columns import GAP_S
 from bumpless.runs.names import CONTEXT, EVENT, TRUTH
 
 PACE = "tlm/navigation"  # begins each control cycle
 LARGEST_CHUNK = 64_000_000  # bytes unpacked; ours have about one million
 KEPT_CHUNKS = 16
+AROUND = 5  # cycles to either side that say how often one is recorded
 _MESSAGE = struct.Struct("<BQHIQQ")  # opcode, length of what follows, channel, sequence, log and publish time
 _END = 1 << 62  # beyond any place in a chunk
 _LEAD = struct.Struct("<BQH")  # opcode, length, channel of a message index
@@ -88,6 +91,25 @@ class Replay:
                 if number in chunk.message_index_offsets:
                     found += [pb.Event.FromString(t.payload) for t in self._of(chunk, {number})]
             return found
+
+    @cached_property
+    def gaps(self) -> list[tuple[float, float]]:
+        """Last cycle before and first after each stretch in which more than a few are missing, mission s.
+
+        By the index alone. What a few is goes by the cycles around it: a hold is recorded more rarely.
+        """
+        pace = self._numbers[PACE]
+        with self._lock:
+            marks = [self._index(chunk, pace)[:, 0] for chunk in self._chunks]
+        times = (np.sort(np.concatenate(marks)).astype(np.int64) - self.start_ns) * 1e-9
+        steps = np.diff(times)
+        found = []
+        for k in np.flatnonzero(steps > GAP_S):
+            before, after = steps[max(0, k - AROUND) : k], steps[k + 1 : k + 1 + AROUND]
+            near = [float(np.median(part)) for part in (before, after) if len(part)]
+            if steps[k] > GAP_S + 2.0 * max(near, default=0.0):
+                found.append((float(times[k]), float(times[k + 1])))
+        return found
 
     def at(self, time_s: float) -> pb.StreamFrame:
         """What was known at that time: the last message of each topic, and no event."""

@@ -9,6 +9,7 @@ from math import radians
 import numpy as np
 
 from bumpless.config.mission import Mission
+from bumpless.config.mission.contact_steps import contact_steps
 from bumpless.config.vehicle import Vehicle
 from bumpless.physics.faults import FAULTS
 from bumpless.physics.sensors import SENSOR_ERRORS
@@ -41,7 +42,7 @@ def truth_of(mission: Mission, vehicle: Vehicle) -> np.ndarray:
     t["target"] = [*target.true_position_ned_m, radians(target.heading_deg)]
     t["standoff"] = target.standoff_m
     _environment(t["environment"], mission)
-    _dock(t["environment"]["dock"], mission)
+    _dock(t["environment"]["dock"], mission, vehicle)
     errors, faults = t["errors"], t["faults"]
     errors["noise_scale"] = mission.sensors.noise_scale
     errors["n_outages"] = len(mission.sensors.outages)
@@ -63,7 +64,7 @@ def truth_of(mission: Mission, vehicle: Vehicle) -> np.ndarray:
 
 def _environment(out: np.void, mission: Mission) -> None:
     env = mission.environment
-    out["current"] = env.current_ned_mps
+    out["current"], out["surface"] = env.current_ned_mps, 1
     if env.current_variation:
         out["gust_std"] = env.current_variation.std_mps
         out["gust_time"] = env.current_variation.time_constant_s
@@ -81,7 +82,7 @@ def _environment(out: np.void, mission: Mission) -> None:
     out["tau_e"] = env.disturbance_body_n_nm
 
 
-def _dock(out: np.void, mission: Mission) -> None:
+def _dock(out: np.void, mission: Mission, vehicle: Vehicle) -> None:
     """The dock to enter, and the motion of the target, with or without one."""
     target, dock, motion = mission.target, mission.target.dock, mission.target.motion
     out["entry"], out["heading"] = target.true_position_ned_m, radians(target.heading_deg)
@@ -90,7 +91,7 @@ def _dock(out: np.void, mission: Mission) -> None:
         out["phase"] = radians(motion.phase_deg)
     if dock is None:
         return
-    out["present"] = 1
+    out["present"], out["steps"] = 1, contact_steps(dock, vehicle)
     out["marker"][0] = dock.entry_before_marker_m * np.cos(out["heading"])
     out["marker"][1] = dock.entry_before_marker_m * np.sin(out["heading"])
     out["entry"] -= out["marker"]

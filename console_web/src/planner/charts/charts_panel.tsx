@@ -2,6 +2,7 @@
 import { useSignal } from "@preact/signals";
 import { useRef } from "preact/hooks";
 import { bytes } from "../../lib/format";
+import { ActButton } from "../../ui/act_button";
 import { TrashIcon } from "../../ui/icons";
 import { RefusalIn } from "../../ui/refusal";
 import { originOf } from "../model/earth";
@@ -84,11 +85,13 @@ function Chart({ chart }: { chart: ChartSummary }) {
   const about = [chart.format, bytes(chart.size), ...chart.notes].join(", ");
   return (
     <li class="chart-row">
-      <label title={about}>
+      <label title={lost ? `It needs an origin on the earth: set one in Details. ${about}` : about}>
         <input
           type="checkbox"
-          disabled={lost}
+          aria-disabled={lost}
+          title={lost ? "It lies on the earth, and the mission names no origin" : undefined}
           checked={!lost && !hidden.value.includes(chart.name)}
+          onClick={(event) => lost && event.preventDefault()}
           onChange={(event) => setHidden(chart.name, !event.currentTarget.checked)}
         />
         <span class="ellipsis">{chart.title}</span>
@@ -180,14 +183,15 @@ function Add() {
       )}
       <div class="form-head">
         {file && (
-          <button
-            type="button"
+          <ActButton
             class="action small primary"
-            disabled={corners.value.split(";").length !== 4}
-            onClick={() => void give(file)}
+            why={
+              corners.value.split(";").length === 4 ? "" : "Give four corners first, with semicolons between"
+            }
+            onAct={() => void give(file)}
           >
             Lay it there
-          </button>
+          </ActButton>
         )}
         <button
           type="button"

@@ -2,7 +2,7 @@
 import { clock, fixed } from "../../lib/format";
 import { endingNamed } from "../../ui/endings";
 import "../../ui/facts.css";
-import { broken, dragging } from "../model/plan";
+import { broken, dragging, flies } from "../model/plan";
 import { Findings } from "./findings";
 import { plan } from "./forecast";
 import { type Chance, FLIGHTS, type Flight, type Forecast, othersIn, percent, worst } from "./foresight";
@@ -26,7 +26,11 @@ export function ForecastPanel({ onPlace }: { onPlace: () => void }) {
         {forecast?.nominal && <Facts forecast={forecast} />}
         {forecast && forecast.flights.length > 0 && <Worst flights={forecast.flights} />}
         {!forecast && !broken.value && (
-          <p class="empty">The plan is flown ahead as soon as it has a way and a dock.</p>
+          <p class="empty">
+            {flies.value
+              ? "It is being flown ahead. The first answer takes a moment."
+              : "The plan is flown ahead as soon as it has a way and a dock."}
+          </p>
         )}
         {forecast?.state === "failed" && <p class="lost">It could not be flown ahead: {forecast.reason}</p>}
       </div>

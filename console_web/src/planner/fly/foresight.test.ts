@@ -6,6 +6,7 @@ const START: Forecast = {
   problems: [],
   findings: undefined,
   floor: undefined,
+  station: undefined,
   nominal: undefined,
   flights: [],
   chance: undefined,

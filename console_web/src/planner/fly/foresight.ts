@@ -9,6 +9,7 @@ import {
   untracked,
 } from "@preact/signals";
 import type { components } from "../../gen/api";
+import type { Held } from "../../lib/held";
 import { endingNamed } from "../../ui/endings";
 import { hashOf } from "../model/hash";
 
@@ -31,6 +32,8 @@ export interface Forecast {
   findings: Finding[] | undefined;
   /** The sea floor along the plan; undefined: the mission names none. */
   floor: SeaFloor | undefined;
+  /** Which headings hold station in the plan's current; undefined: the vehicle does not hover. */
+  station: Held | undefined;
   nominal: Nominal | undefined;
   flights: Flight[];
   chance: Chance | undefined;
@@ -58,6 +61,7 @@ function fresh(text: string): Forecast {
     problems: [],
     findings: undefined,
     floor: undefined,
+    station: undefined,
     nominal: undefined,
     flights: [],
     chance: undefined,
@@ -73,7 +77,12 @@ export function told(before: Forecast, message: Message): Forecast {
     case "problems":
       return { ...before, problems: message.problems, findings: [], state: "done" };
     case "findings":
-      return { ...before, findings: message.findings, floor: message.floor ?? undefined };
+      return {
+        ...before,
+        findings: message.findings,
+        floor: message.floor ?? undefined,
+        station: message.station ?? undefined,
+      };
     case "nominal":
       return { ...before, nominal: message };
     case "fan":

@@ -7,7 +7,7 @@ import { dockUp } from "./tools";
 import { fitted, panned, type Size, type Viewport } from "./viewport";
 
 export const size = signal<Size>({ width: 0, height: 0 });
-const MARGIN = 80; // px, less on a low picture
+const MARGIN = 84; // px, less on a low picture: room for the rings round the dock
 const HEAD_PX = 44; // for the line that says what to do next
 const LEAST_M = 16;
 const ROOM_M = 40; // ahead of a vehicle without a way
@@ -47,7 +47,7 @@ export function showAll(): void {
   const shown = [...points.map(([n, e]) => [e, n] as const), ...flown];
   const { width, height } = size.peek();
   const below = { width, height: height - HEAD_PX };
-  const all = fitted(shown, below, Math.min(MARGIN, 0.13 * height), viewport.peek().turn, [LEAST_M, LEAST_M]);
+  const all = fitted(shown, below, Math.min(MARGIN, 0.16 * height), viewport.peek().turn, [LEAST_M, LEAST_M]);
   whole = panned(all, size.peek(), 0, HEAD_PX / 2);
   unturned.value = whole;
 }

@@ -7,6 +7,7 @@ import { paintDock } from "./paint/dock";
 import { paintFan, paintTrack } from "./paint/forecast";
 import { paintGrid, paintScale } from "./paint/grid";
 import { paintBox, paintMeasure } from "./paint/hand";
+import { paintRings } from "./paint/held";
 import { paintDrawn, paintOutlines } from "./paint/outlines";
 import type { Ctx, Scene } from "./paint/scene";
 import { paintLine } from "./paint/strokes";
@@ -18,6 +19,7 @@ export function paintPlan(c: Ctx, s: Scene): void {
   paintCharts(c, s);
   paintGrid(c, s);
   paintOutlines(c, s);
+  if (s.view.dock) paintRings(c, s, s.view.dock);
   if (s.view.dock) paintDockZones(c, s, s.view.dock);
   paintFan(c, s);
   paintWay(c, s);

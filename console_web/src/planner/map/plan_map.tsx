@@ -3,6 +3,7 @@ import { untracked, useSignalEffect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { fixed } from "../../lib/format";
 import { theme } from "../../lib/theme";
+import { heldNow } from "../../live/station";
 import { drawn as charts } from "../charts/charts";
 import { come, source } from "../charts/tiles";
 import { plan } from "../fly/forecast";
@@ -15,6 +16,7 @@ import { NextStep } from "../next_step";
 import { fitSoon, look, showAll, size, sized, viewport } from "./camera";
 import { figures } from "./figures";
 import { flownHere } from "./flown_here";
+import { HeldLegend } from "./held_legend";
 import { LazySpace, spaceShown, toggleSpace } from "./lazy_space";
 import { box, cursorAt, gestures, hovered } from "./map_gestures";
 import { drawn } from "./outline";
@@ -39,6 +41,8 @@ function scene(extent: Size): Scene {
     flights: forecast?.flights ?? [],
     picked: picked === undefined ? undefined : forecast?.flights.find(({ seed }) => seed === picked),
     variant: variant.value?.nominal,
+    held: forecast?.station,
+    heldNow: flownHere() ? heldNow.value : undefined,
     stale: !plan.current.value || dragging.value,
     vehicle: flownHere(),
     box: box.value,
@@ -98,6 +102,7 @@ export function PlanMap() {
             describedBy="plan-keys"
             frame={[v.x, v.y, v.sx, v.turn].map((number) => number.toFixed(5)).join(" ")}
           />
+          <HeldLegend />
           <NextStep />
           <Readout />
           <p id="plan-keys" class="sr">
@@ -166,9 +171,12 @@ function MapTools() {
         type="button"
         class="action small"
         aria-pressed={dockUp.value}
-        disabled={!mission.value.dock}
-        title="Turn the picture so that the approach points up"
+        aria-disabled={!mission.value.dock}
+        title={
+          mission.value.dock ? "Turn the picture so that the approach points up" : "No dock is placed yet"
+        }
         onClick={() => {
+          if (!mission.peek().dock) return;
           dockUp.value = !dockUp.peek();
           showAll();
         }}

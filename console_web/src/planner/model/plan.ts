@@ -32,6 +32,8 @@ let held: State | undefined; // as it was when a drag began
 export const text = computed(() => state.value.text);
 export const broken = computed(() => state.value.broken);
 export const mission = computed(() => missionView(state.value.raw));
+/** A plan without a way or a dock is not flown: the next step says what is missing. */
+export const flies = computed(() => mission.value.legs.length > 0 && mission.value.dock !== undefined);
 export const selected = signal<readonly Thing[]>([]);
 /** Something is being dragged: what is costly waits. */
 export const dragging = signal(false);

@@ -4,6 +4,7 @@ import { text } from "../map/paint/words";
 import { along, type Ned, niceStep, observationPoint } from "../model/geometry";
 import { outlineThing } from "../model/things";
 import { paintFunnel } from "./funnel";
+import { paintRings } from "./held";
 import { dockSize, floorOf, type SpaceScene } from "./scene";
 import { type Ctx, type Face, faces, way } from "./strokes";
 import { paintTerrain } from "./terrain";
@@ -32,6 +33,7 @@ export function paintSpace(c: Ctx, s: SpaceScene): void {
   }
   if (s.picked) way(c, s.lens, trackOf(s.picked), "--alarm", 2);
   if (s.view.dock && s.figures) paintFunnel(c, s, s.view.dock, s.figures);
+  if (s.view.dock) paintRings(c, s, s.view.dock.at);
   if (s.view.dock) paintDock(c, s, s.view.dock);
   paintHull(
     c,

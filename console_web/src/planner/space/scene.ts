@@ -1,4 +1,6 @@
 // What the plan in space shows.
+
+import type { Held } from "../../lib/held";
 import type { ChartShown } from "../charts/charts";
 import type { Flight, Nominal } from "../fly/foresight";
 import type { Figures } from "../map/figures";
@@ -20,6 +22,8 @@ export interface SpaceScene {
   flights: readonly Flight[];
   picked: Flight | undefined;
   stale: boolean;
+  held: Held | undefined;
+  heldNow: Held | undefined;
   vehicle: { at: Ned; heading: number } | undefined;
   /** The depth grid that is looked at. */
   depths: ChartShown | undefined;

@@ -1,6 +1,7 @@
 // The plan in space, beside the plan from above: the same document, selected and edited in either.
 import { useSignalEffect } from "@preact/signals";
 import { useEffect } from "preact/hooks";
+import { heldNow } from "../../live/station";
 import { depths } from "../charts/charts";
 import { plan } from "../fly/forecast";
 import { forecast as variant } from "../fly/what_if";
@@ -33,6 +34,8 @@ function scene(extent: Size): SpaceScene {
     flights: forecast?.flights ?? [],
     picked: seed === undefined ? undefined : forecast?.flights.find((flight) => flight.seed === seed),
     stale: !plan.current.value || dragging.value,
+    held: forecast?.station,
+    heldNow: here && heldNow.value,
     vehicle: here && { at: [here.north, here.east, here.depth], heading: here.heading },
     depths: depths.value,
     figures: figures.value,

@@ -13,22 +13,30 @@ from bumpless.config.parameters import default_parameters, with_overrides
 from bumpless.sim.twin import Result, simulate
 from bumpless_paper.study.docks.cases import KINDS, Case, Heading, Kind, draw_case, vehicle
 from bumpless_paper.study.docks.judge import Judgement, judge
+from bumpless_paper.study.learned import EARLIER, Unlearned, learned_from
 
 Overrides = Mapping[str, Mapping[str, Any]]
-Job = tuple[int, Kind, Heading, Overrides | None, bool]
+Job = tuple[int, Kind, Heading, Overrides | None, bool, bool]
 
 
-def fly_case(case: Case, overrides: Overrides | None = None, flow: bool = False) -> Result:
-    """The flight of a case; overrides: parameters by section; flow: with the mission's `actuator_flow`."""
+def fly_case(
+    case: Case, overrides: Overrides | None = None, flow: bool = False, learned: bool = False
+) -> Result:
+    """The flight of a case; overrides: parameters by section; flow: with the mission's `actuator_flow`;
+    learned: the vehicle's file says what was identified in a flight of another sea and seed before."""
     parameters = with_overrides(default_parameters(vehicle()), overrides or {})
     mission = replace(case.mission, actuator_flow=True) if flow else case.mission
-    return simulate(mission, vehicle(), parameters, mission.seed, alter=case)
+    if not learned:
+        return simulate(mission, vehicle(), parameters, mission.seed, alter=case)
+    before = fly_case(replace(draw_case(case.number + EARLIER, "normal", "into"), plant=case.plant))
+    alter = Unlearned(vehicle(), case)
+    return simulate(mission, learned_from(before), parameters, mission.seed, alter=alter)
 
 
 def _one(job: Job) -> Judgement:
-    number, kind, heading, overrides, flow = job
+    number, kind, heading, overrides, flow, learned = job
     case = draw_case(number, kind, heading)
-    return judge(case, fly_case(case, overrides, flow))
+    return judge(case, fly_case(case, overrides, flow, learned))
 
 
 def fly_cases(
@@ -38,9 +46,10 @@ def fly_cases(
     overrides: Overrides | None = None,
     workers: int = 1,
     flow: bool = False,
+    learned: bool = False,
 ) -> list[Judgement]:
     """Judgements of many cases, in order."""
-    jobs: list[Job] = [(number, kind, heading, overrides, flow) for number in numbers]
+    jobs: list[Job] = [(number, kind, heading, overrides, flow, learned) for number in numbers]
     return in_order(jobs, _one, workers)
 
 
@@ -52,10 +61,12 @@ def main() -> None:
     parser.add_argument("--kind", choices=KINDS, default="normal")
     parser.add_argument("--heading", choices=("", "fixed", "some", "into"), default="")
     parser.add_argument("--flow", action="store_true", help="with the real flow at screws and fins")
+    parser.add_argument("--learned", action="store_true", help="after a flight before, see bumpless identify")
     parser.add_argument("--workers", type=int, default=2)
     parser.add_argument("--out", help="write the judgements there, JSON")
     a = parser.parse_args()
-    rows = fly_cases(range(a.first, a.first + a.count), a.kind, a.heading, workers=a.workers, flow=a.flow)
+    numbers = range(a.first, a.first + a.count)
+    rows = fly_cases(numbers, a.kind, a.heading, workers=a.workers, flow=a.flow, learned=a.learned)
     counts = Counter(row.outcome for row in rows)
     docked = share_of(counts["docked"], len(rows))
     heading = a.heading or "drawn heading"

@@ -12,8 +12,7 @@ from bumpless_server.live.desk import URGENT, Command
 from bumpless_server.live.tally import printable
 from bumpless_server.web.answers.contract import CommandReply, told
 from bumpless_server.web.errors import Refusal
-from bumpless_server.web.guard import address_of
-from bumpless_server.web.known import who_asks
+from bumpless_server.web.known import address_of, who_asks
 from bumpless_server.web.routes import Served
 
 REQUEST_ID = NameRule(r"[A-Za-z0-9_-]{1,64}", "1 to 64 of letters, digits, '-' and '_'")

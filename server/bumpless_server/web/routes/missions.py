@@ -99,7 +99,7 @@ async def start(console: Served, asked: Asked, asking: Asking, wanted: Start = B
 
 @router.post("/mission/{verb}")
 async def change(asked: Asked, verb: str) -> CommandReply:
-    """Pause, resume or abort."""
-    if verb not in ("pause", "resume", "abort"):
+    """Pause, resume, surface or abort."""
+    if verb not in ("pause", "resume", "surface", "abort"):
         raise Refusal(404, f"there is no command {verb!r}")
     return await asked.carry_out(verb, pb.Empty())

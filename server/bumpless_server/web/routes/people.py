@@ -25,9 +25,8 @@ from bumpless_server.web.answers.people import (
 from bumpless_server.web.answers.refusal import REFUSALS
 from bumpless_server.web.auth import new_cookie
 from bumpless_server.web.errors import Refusal
-from bumpless_server.web.guard import address_of
 from bumpless_server.web.guesses import Guesses
-from bumpless_server.web.known import Asking
+from bumpless_server.web.known import Asking, address_of
 from bumpless_server.web.routes import Served
 
 router = APIRouter(prefix="/api", responses=REFUSALS)

@@ -6,6 +6,7 @@ from fastapi import APIRouter, Query
 
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.messages import as_json
+from bumpless_server.foresight.told import HeldStation
 from bumpless_server.web.answers.reach import ReachAnswer
 from bumpless_server.web.answers.refusal import REFUSALS
 from bumpless_server.web.answers.status import Event, Health, Status, VehicleAnswer
@@ -63,3 +64,15 @@ def vehicle_reach(
     if described is None:
         raise Refusal(404, f"vehicle {console.state.vehicle_id} has not described itself yet")
     return ReachAnswer.of(described.sha256, reach_at(described, surge_mps))
+
+
+@router.get("/vehicle/station")
+def vehicle_station(console: Served) -> HeldStation | None:
+    """On which headings it would hold station before its target in the current that it estimates.
+
+    With the parameters that it flies with, by the rule of a mission's check. Null where nothing flies now, or
+    where that vehicle does not hover.
+    """
+    from bumpless_server.foresight.held import station_now
+
+    return station_now(console.state, console.vehicle())

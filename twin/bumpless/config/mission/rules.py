@@ -6,6 +6,7 @@ from itertools import pairwise
 from typing import Any, cast
 
 from bumpless.config.declare import Broken
+from bumpless.config.mission.contact_steps import MOST, contact_steps
 from bumpless.config.mission.model import Mission
 from bumpless.config.parameters import ParameterError, check, default_parameters, with_overrides
 from bumpless.config.problems import ProblemsError
@@ -119,6 +120,9 @@ def _dock(mission: Mission, vehicle: Vehicle) -> Iterator[tuple[str, object, str
     if target.standoff_m < nearest:
         rule = f"must be at least {nearest:g}: the nose stays outside of the dock until it is let in"
         yield "target.standoff_m", target.standoff_m, rule
+    if (steps := contact_steps(dock, vehicle)) > MOST:
+        rule = f"too stiff to be simulated, {steps} steps in a control period against {MOST}: soften contact"
+        yield "target.dock", None, f"{rule} or let friction fade at a higher slip_speed_mps"
     if target.turn_deg > 0.0:
         yield "target.dock", None, "stands still: needs heading_tolerance_deg 0 and approach heading"
 

@@ -4,12 +4,15 @@ The latch is a one-way stop: it lets the nose go deeper and pulls it back, along
 beyond the capture depth. The same spring and damping as of a contact, F = k g (1 + c g').
 """
 
-from math import cos, sin
+from math import cos, sin, sqrt
 
 from bumpless.jit import inline, jit
 from bumpless.jit.memory import floats
-from bumpless.physics.dock.contact import N_WORK, dock_contact, dock_place
+from bumpless.physics.dock.contact import N_WORK, dock_contact
+from bumpless.physics.dock.frame import N_FRAME, dock_place, fill_frame, in_dock
 from bumpless.physics.frames import body_to_ned, ned_to_body
+
+MARGIN = 0.1  # m before a touch from which on steps are finer
 
 
 @inline
@@ -24,6 +27,26 @@ def can_touch(dock, rings, eta):
         reach += abs(dock.amplitude[k])
         distance2 += (eta[k] - dock.entry[k]) ** 2
     return distance2 < reach * reach
+
+
+@jit
+def steps_near(dock, rings, eta, nu, dt, substeps):
+    """Runge-Kutta steps for the next dt seconds: `substeps`, or those of a hull that may touch by then."""
+    if not can_touch(dock, rings, eta):
+        return substeps
+    frame, speed2 = floats(N_FRAME), nu[0] * nu[0] + nu[1] * nu[1] + nu[2] * nu[2]
+    fill_frame(dock, eta, 0.0, frame)
+    margin = MARGIN + dt * sqrt(speed2)
+    for k in range(3):
+        margin += 2.0 * abs(dock.amplitude[k])
+    back = dock.cone_length + dock.tube_length + dock.wall + margin
+    beside = dock.entry_radius + dock.wall + margin
+    for i in range(rings.n):
+        r = rings.radius[i]
+        a, b, c = in_dock(frame, rings.x[i], 0.0, 0.0)
+        if -margin - r < a < back + r and b * b + c * c < (beside + r) * (beside + r):
+            return max(substeps, dock.steps)
+    return substeps
 
 
 @jit

@@ -43,6 +43,7 @@ DOCK = np.dtype(
         ("marker", f8, 3),  # the marker from the middle of the entry, NED, m
         ("force_most", f8),  # N, that dock and hull bear
         ("captured", i8),  # 1: the latch has closed
+        ("steps", i8),  # Runge-Kutta steps that a control period near it takes at least
         ("felt", CONTACT),
     ],
     align=True,

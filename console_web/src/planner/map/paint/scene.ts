@@ -1,4 +1,5 @@
 // What the plan from above shows, and where a place of the water is on the canvas.
+import type { Held } from "../../../lib/held";
 import type { Drawn } from "../../charts/charts";
 import type { Flight, Nominal } from "../../fly/foresight";
 import type { Origin } from "../../model/earth";
@@ -19,6 +20,9 @@ export interface Scene {
   picked: Flight | undefined;
   /** The way of the what-if variant. */
   variant: Nominal | undefined;
+  /** Which headings hold station in the planned current, and in the one that the vehicle estimates. */
+  held: Held | undefined;
+  heldNow: Held | undefined;
   /** The forecast is of an older text. */
   stale: boolean;
   vehicle: { north: number; east: number; heading: number } | undefined;

@@ -1,14 +1,12 @@
 // Small figures that several parts of the plan are drawn with.
-import { colour, font } from "../../../lib/theme";
+import { colour } from "../../../lib/theme";
 import { along, type Ned } from "../../model/geometry";
 import { type Ctx, px, type Scene, TAU } from "./scene";
+import { text } from "./words";
 
-export function note(c: Ctx, s: Scene, at: Ned, text: string, ink: string): void {
+export function note(c: Ctx, s: Scene, at: Ned, words: string, ink: string): void {
   const [x, y] = px(s, at);
-  c.font = font("--text-2xs");
-  c.fillStyle = colour(ink);
-  c.textAlign = "center";
-  c.fillText(text, x, y + 14);
+  text(c, words, x, y + 14, ink, 400, { size: "--text-2xs", align: "center" });
 }
 
 export function dot(

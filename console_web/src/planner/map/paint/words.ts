@@ -9,9 +9,10 @@ export function text(
   y: number,
   ink: string,
   weight = 400,
+  { size = "--text-xs", align = "left" as CanvasTextAlign } = {},
 ): void {
-  c.font = font("--text-xs", weight);
-  c.textAlign = "left";
+  c.font = font(size, weight);
+  c.textAlign = align;
   c.lineWidth = 3;
   c.lineJoin = "round";
   c.strokeStyle = colour("--well");

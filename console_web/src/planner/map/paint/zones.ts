@@ -1,11 +1,12 @@
 // Round the dock: where the camera sees it, where to keep out, the cone and the circles that switch modes.
-import { colour, font } from "../../../lib/theme";
+import { colour } from "../../../lib/theme";
 import { along, type Ned, observationPoint } from "../../model/geometry";
 import { approachOf, type MissionView } from "../../model/mission";
 import type { Figures } from "../figures";
 import type { Px } from "../viewport";
 import { angle, type Ctx, px, type Scene, TAU } from "./scene";
 import { note } from "./strokes";
+import { text } from "./words";
 
 export function paintDockZones(c: Ctx, s: Scene, wanted: NonNullable<MissionView["dock"]>): void {
   const dock = { ...wanted, heading: approachOf(wanted, s.view.current) };
@@ -91,10 +92,10 @@ function ring(c: Ctx, s: Scene, { at, metres, ink, dash, label, towards }: Ring)
   if (radius < 34) return;
   const way = angle(s, towards);
   const [lx, ly] = [x + (radius + 5) * Math.cos(way), y + (radius + 5) * Math.sin(way)];
-  c.font = font("--text-2xs");
-  c.fillStyle = colour(ink);
-  c.textAlign = Math.cos(way) < 0 ? "right" : "left";
-  c.fillText(label, lx, ly + 3);
+  text(c, label, lx, ly + 3, "--ink-2", 400, {
+    size: "--text-2xs",
+    align: Math.cos(way) < 0 ? "right" : "left",
+  });
 }
 
 function paintCone(c: Ctx, s: Scene, dock: { heading: number }, end: Ned, f: Figures): void {
