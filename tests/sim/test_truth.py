@@ -119,7 +119,7 @@ def spoil(record):
 def test_docks_at_a_target_off_its_planned_place(ts100, offset, seed):
     """Protects: what the camera sees moves the estimate, the path and the hover point to the true target."""
     mission = parse_mission(
-        MOVED.replace("[1.0, 1.5, 0.2]", offset).replace("duration_s: 150", "duration_s: 300"),
+        MOVED.replace("[1.0, 1.5, 0.2]", offset).replace("duration_s: 240", "duration_s: 300"),
         "moved.yaml",
         ts100,
     )
@@ -136,7 +136,7 @@ def test_docks_at_a_target_off_its_planned_place(ts100, offset, seed):
 
 def test_an_unseen_target_is_looked_for_where_the_plan_has_it(ts100):
     """Protects: the planned place and only that leads the vehicle until the camera has found the target."""
-    blind = MOVED + "sensors: {outages: [{from_s: 0, to_s: 200}]}\n"
+    blind = MOVED + "sensors: {outages: [{from_s: 0, to_s: 240}]}\n"
     flights = [
         simulate(parse_mission(text, "blind.yaml", ts100), ts100)
         for text in (blind, blind.replace("[1.0, 1.5, 0.2]", "[0, 0, 0]"))

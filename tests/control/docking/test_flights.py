@@ -5,9 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from bumpless.config.mission import parse_mission
+from bumpless.config.mission import missions_folder, parse_mission
 from bumpless.config.mission.model import Target
-from bumpless.contract.enums import APPROACH, BACK, COMPLETED, HOLD, HOVER, RUNNING
+from bumpless.contract.enums import APPROACH, BACK, COMPLETED, ENTRY, HOLD, HOVER, RUNNING
 from bumpless.sim.log import LOG
 from bumpless.sim.twin import Twin, simulate
 from bumpless_paper.study.docks import draw_case, fly_case, judge
@@ -118,6 +118,23 @@ def test_ten_minutes_in_hover(ts100, docking) -> None:
     assert (held["mode"] == HOVER).all() and (held["stage"] == APPROACH).all()
     assert held["range_true"].max() < 0.2
     assert np.degrees(np.std(held["eta"][:, 5])) < 1.0
+
+
+@pytest.mark.parametrize("across", [0.01, -0.01])
+def test_a_drift_that_nothing_can_undo_at_rest_docks_at_the_first_try(ts100, docking, across) -> None:
+    """Protects: on a fixed heading without flow the vehicle comes to rest upstream and drifts through."""
+    text = docking.text.replace("[-0.10, 0, 0]", f"[0, {across}, 0]") + "end: {hover_hold_s: 15}\n"
+    log = simulate(parse_mission(text, "drift.yaml", ts100), ts100).log
+    assert log["held"][-1] >= 15.0 and log["tried"][-1] == 1
+
+
+def test_the_line_is_joined_at_once_and_turns_into_the_current_on_the_way(ts100) -> None:
+    """Protects: a few degrees of turn into the current cost no way round of a minute."""
+    text = (missions_folder() / "docking_current.yaml").read_text()
+    text = text.replace("[-0.08, 0.01, 0]", "[-0.07, 0.022, 0]")
+    log = simulate(parse_mission(text, "joined.yaml", ts100), ts100).log
+    assert not (log["stage"] == ENTRY).any() and log["held"][-1] >= 20.0
+    assert np.degrees(log["approach"][-1]) < -10.0
 
 
 @pytest.mark.parametrize("load", [1.0, -1.0])

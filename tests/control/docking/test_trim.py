@@ -50,11 +50,12 @@ def test_the_aim_lies_upstream_of_a_known_drift_and_passes_over_noise() -> None:
     """Protects: a little estimated current is noise, a roll is a drift to come."""
     settings = docking_settings(default_parameters(TS100).docking)
     aim = plain(aim_aside)
-    assert aim(settings, 0.0, 0.006, 0.0) == 0.0
-    assert aim(settings, 0.0, 0.0, 0.005) == pytest.approx(-0.005 * settings.aim_time)
-    assert aim(settings, 0.0, 0.0, -0.005) == pytest.approx(0.005 * settings.aim_time)
-    assert aim(settings, -0.1, 0.0, 0.005) == 0.0  # in flow a crab angle makes it good
-    assert abs(aim(settings, 0.0, 0.05, 0.005)) == settings.aim_most
+    assert aim(settings, 0.0, 0.002, 0.0, 1.0) == 0.0
+    assert aim(settings, 0.0, 0.0, 0.005, 0.0) == pytest.approx(-0.005 * settings.aim_time)
+    assert aim(settings, 0.0, 0.0, -0.005, 0.0) == pytest.approx(0.005 * settings.aim_time)
+    assert aim(settings, -0.1, 0.0, 0.005, 1.0) == 0.0  # in flow a crab angle makes it good
+    assert aim(settings, 0.0, 0.0, 0.005, 1.0) < aim(settings, 0.0, 0.0, 0.005, 0.3) < -0.05
+    assert abs(aim(settings, 0.0, 0.05, 0.005, 1.0)) == settings.aim_most
 
 
 def test_a_slow_hull_looks_less_far_ahead_in_depth() -> None:

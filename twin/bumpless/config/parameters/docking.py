@@ -95,9 +95,11 @@ class DockingParameters:
         15.0
     )
     aim_time_s: Annotated[
-        float, spell("Drift by which the aim lies upstream", "aim_time", help="Where it can't be made good.")
-    ] = 12.0
-    aim_most_m: Annotated[float, way("Farthest aim upstream", "aim_most", 2.0)] = 0.08
+        float,
+        spell("Stay whose drift the aim allows for", "aim_time",
+              help="The aim lies upstream by what can't be made good, on the way to rest and so long after."),
+    ] = 10.0  # fmt: skip
+    aim_most_m: Annotated[float, way("Farthest aim upstream", "aim_most", 2.0)] = 0.3
     # the approach heading and the current
     turn_time_s: Annotated[
         float, spell("Time in which the approach heading follows the current", "turn_time", 0.1)

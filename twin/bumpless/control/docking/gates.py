@@ -108,3 +108,9 @@ def fault_of(dt, settings, view, docking):
 def is_out_in_hover(settings, view):
     """Whether H is outside the limits that are not waited out."""
     return abs(view.aside) > settings.hover_lateral or view.off > settings.hover_heading
+
+
+@jit
+def is_drifting_off(settings, view, docking):
+    """Whether H is off the line and goes on drifting away from it."""
+    return abs(view.aside) > settings.hover_lateral and view.aside * docking.lateral_rate > 0.0

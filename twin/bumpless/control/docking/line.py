@@ -6,14 +6,15 @@ That inverse is damped, u_r v / (u_r^2 + u_0^2): it fades at rest and turns roun
 astern.
 """
 
-from math import asin, copysign, cos, sin, sqrt
+from math import asin, copysign, cos, log, sin, sqrt
 
 from bumpless.contract.enums import APPROACH, BACK, FORWARD, HOVER
 from bumpless.control.docking.heading import along_across, weathervane
 from bumpless.jit import jit
 from bumpless.physics.frames import wrap
 
-_STILL = 0.006  # m/s of drift that no aim makes up for
+_STILL = 0.002  # m/s of estimated drift that is noise: no aim makes up for it
+_AT_REST = 0.1  # m left, where the way ends and the stay begins
 _BORNE = 0.07  # of a head current, across: made good by the crab angle at the end
 _LEARN_WITHIN = 0.2  # m
 _DRIFT_MOST = 0.015  # m/s
@@ -43,15 +44,18 @@ def approach_speed(settings, left):
 
 
 @jit
-def aim_aside(settings, along, across, tilt):
+def aim_aside(settings, along, across, tilt, left):
     """Offset of the aim upstream, m, so that a drift that can't be made good at rest crosses the middle.
 
-    across: of current and learnt drift, of which a little is noise; tilt: drift by the hull's roll, m/s.
+    It lasts while the vehicle comes to rest, ln(1 + left / _AT_REST) / end_gain of an approach that ends
+    exponentially, and `aim_time` of the stay. across: of current and learnt drift, of which a little is
+    noise; tilt: drift by the hull's roll, m/s; left: m.
     """
     drift = tilt + copysign(max(abs(across) - _STILL, 0.0), across)
-    left = max(abs(drift) - _BORNE * max(-along, 0.0), 0.0)
-    left = min(left * settings.aim_time, settings.aim_most)
-    return -left if drift > 0.0 else left
+    loose = max(abs(drift) - _BORNE * max(-along, 0.0), 0.0)
+    lasts = settings.aim_time + log(1.0 + max(left, 0.0) / _AT_REST) / settings.end_gain
+    aim = min(loose * lasts, settings.aim_most)
+    return -aim if drift > 0.0 else aim
 
 
 @jit
@@ -82,7 +86,7 @@ def line_heading(dt, settings, current, u_r, learn, free, view, docking):
 def steer(dt, settings, current, u_r, learn, most, view, docking):
     """The same within a heading correction whose sine is `most`."""
     along, across = along_across(current, docking.heading)
-    y = view.aside - aim_aside(settings, along, across + docking.drift, docking.tilt)
+    y = view.aside - aim_aside(settings, along, across + docking.drift, docking.tilt, view.left)
     delta = settings.look_ahead + settings.look_ahead_slope * abs(u_r)
     wanted = -abs(u_r) * y / sqrt(delta * delta + y * y)
     if learn and abs(y) < _LEARN_WITHIN:

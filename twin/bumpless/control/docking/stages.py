@@ -33,11 +33,12 @@ from bumpless.control.docking.gates import (
     fit_to_brake,
     gate_open,
     is_deep,
+    is_drifting_off,
     is_on_line,
     is_out_in_hover,
     nose_room,
 )
-from bumpless.control.docking.heading import choose_heading, follow_current, holdable
+from bumpless.control.docking.heading import along_across, choose_heading, follow_current, holdable, turned
 from bumpless.control.docking.line import place_on_line
 from bumpless.control.docking.waveoff import begin_approach, begin_entry, give_up, wave_off
 from bumpless.control.guidance.station import observation_point
@@ -45,6 +46,9 @@ from bumpless.jit import jit
 from bumpless.physics.frames import wrap
 
 _DECIDE_S = 8.0  # of current estimate before the approach heading is chosen
+_TURN_STEP, _TURNS = 0.05, 6  # rad, how many each way: approach headings tried to join the line at once
+_NO_FLOW = 0.04  # m/s along the hull: with less of it nothing brings back what drifts off,
+_IN_VAIN = 3  # and patience ends so many times as fast
 _WAITED_S = 240.0  # after which a way back that doesn't arrive is over
 
 
@@ -70,17 +74,39 @@ def in_transit(clock, settings, supervisor, plan, navigation, leg, point, view, 
     if leg < plan.n_legs - 1 or not (known or far < settings.entry_distance):
         return FORWARD
     docking.heading = choose_heading(settings, plan, navigation.current)
-    observation_point(target, docking.heading, plan.standoff, point)
-    place_on_line(eta, point, docking.heading, view)
-    view.off = abs(wrap(eta[5] - docking.heading))
+    see_at(plan, navigation, docking.heading, point, view)
     if not holdable(settings, navigation.current, docking.heading):
         give_up(clock.cycle, settings, CURRENT, view, docking)
         return HOVER
-    if can_join(settings, supervisor.d_fr_l, view):
+    if join_near(settings, supervisor.d_fr_l, plan, navigation, point, view, docking):
         begin_approach(clock.cycle, docking)
     else:
         begin_entry(clock.cycle, settings, plan, navigation, point, docking)
     return FORWARD
+
+
+@jit
+def join_near(settings, d_fr_l, plan, navigation, point, view, docking):
+    """Whether the line can be joined from here, at docking.heading or at one a little off it that is within
+    the tolerance and can be held: the line then turns on the way (`follow_current`). Fills the heading."""
+    wanted = docking.heading
+    for k in range(2 * _TURNS + 1):
+        off = _TURN_STEP * ((k + 1) // 2) * (1 - 2 * (k % 2))
+        heading = turned(plan.target[3], plan.heading_tolerance, wanted + off)
+        see_at(plan, navigation, heading, point, view)
+        if can_join(settings, d_fr_l, view) and (k == 0 or holdable(settings, navigation.current, heading)):
+            docking.heading = heading
+            return True
+    see_at(plan, navigation, wanted, point, view)
+    return False
+
+
+@jit
+def see_at(plan, navigation, heading, point, view):
+    """Fill the observation point (3,) and where the vehicle is on its line, as at a heading, rad."""
+    observation_point(navigation.target, heading, plan.standoff, point)
+    place_on_line(navigation.eta, point, heading, view)
+    view.off = abs(wrap(navigation.eta[5] - heading))
 
 
 @jit
@@ -108,7 +134,7 @@ def approach_ahead(cycle, settings, supervisor, view, docking):
 
 
 @jit
-def watch_gate(settings, mode, view, docking):
+def watch_gate(settings, mode, along, view, docking):
     """Open the gate, and count how long it stays shut, or how long H is out of its limits."""
     if view.left > settings.gate_distance or docking.cleared == 0:
         docking.cleared = 1 if gate_open(settings, view) else 0
@@ -116,13 +142,15 @@ def watch_gate(settings, mode, view, docking):
             docking.gate_cycles += 1
     elif mode == HOVER:
         out = is_out_in_hover(settings, view)
-        docking.gate_cycles = docking.gate_cycles + 1 if out else max(docking.gate_cycles - 2, 0)
+        in_vain = abs(along) < _NO_FLOW and is_drifting_off(settings, view, docking)
+        worse = _IN_VAIN if in_vain else 1
+        docking.gate_cycles = docking.gate_cycles + worse if out else max(docking.gate_cycles - 2, 0)
 
 
 @jit
-def approach_near(cycle, dt, settings, supervisor, mode, view, docking):
+def approach_near(cycle, dt, settings, supervisor, mode, current, view, docking):
     """In R and H on the line."""
-    watch_gate(settings, mode, view, docking)
+    watch_gate(settings, mode, along_across(current, docking.heading)[0], view, docking)
     reason = fault_of(dt, settings, view, docking)
     if reason > 0:
         wave_off(cycle, settings, reason, view, docking)
@@ -187,7 +215,7 @@ def next_stage(clock, dt, settings, supervisor, plan, navigation, leg, mode, poi
     elif docking.stage == APPROACH and mode == FORWARD:
         mode = approach_ahead(cycle, settings, supervisor, view, docking)
     elif docking.stage == APPROACH:
-        mode = approach_near(cycle, dt, settings, supervisor, mode, view, docking)
+        mode = approach_near(cycle, dt, settings, supervisor, mode, navigation.current, view, docking)
     elif docking.stage == BACK:
         mode = on_way_back(cycle, dt, settings, plan, navigation, point, view, docking)
     elif docking.stage != CREEP:
