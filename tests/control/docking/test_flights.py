@@ -159,11 +159,19 @@ def test_a_lost_target_is_backed_away_from_and_docked_at_on_the_second_try(ts100
 
 
 @pytest.mark.parametrize(
-    ("number", "heading"), [(22020, "fixed"), (710032, "fixed"), (720632, "into"), (720632, "some")]
+    ("number", "kind", "heading"),
+    [
+        (22020, "fault", "fixed"),
+        (710032, "fault", "fixed"),
+        (720632, "fault", "into"),
+        (720632, "fault", "some"),
+        (710133, "any", "some"),  # with a current from astern
+        (750231, "any", ""),
+    ],
 )
-def test_a_screw_with_a_fifth_of_its_thrust_still_stops_before_the_dock(number, heading) -> None:
+def test_a_screw_with_a_fifth_of_its_thrust_still_stops_before_the_dock(number, kind, heading) -> None:
     """Protects: a weak brake is seen while there is way left to stop in; these draws once ran through."""
-    case = draw_case(number, "fault", heading)
+    case = draw_case(number, kind, heading)
     result = fly_case(case)
     assert not hits(result.log, case.mission.target).any()
     assert judge(case, result).why == "too slow"

@@ -168,7 +168,7 @@ class DockingParameters:
         float,
         pace("Faster by this than thrust should have left it", "unbraked_most",
              "Over 3 s, close by: counts as a fault of the brake."),
-    ] = 0.034  # fmt: skip
+    ] = 0.039  # fmt: skip
     hold_distance_m: Annotated[float, way("Hold point, where a wave-off ends", "hold_distance")] = 9.0
     back_speed_mps: Annotated[float, pace("Speed astern in still water", "back_speed")] = 0.15
     # references

@@ -13,6 +13,7 @@ from bumpless.physics.frames import direction, wrap
 _LITTLE = 0.5  # rad of turn too much that is made up on the line
 _FARTHER = 5  # places where the line may be joined, half a turning radius apart
 _TIGHT = 0.8  # of the turning radius: the first turn leads nowhere in particular, and is flown as it comes
+_ROOM = 0.8  # of the room that two circles need: what is lacking is made good on the line
 _NO_WAY = 1e6  # m
 _SLOWER = 1.25  # s, of the rate of turn: at 8 deg/s a sixth less speed
 _SWEPT = 0.6  # of the keep-out radius: a turn that leads nearer is taken the other way
@@ -41,7 +42,9 @@ def choose_way(settings, keep, eta, target, point, docking):
             for j in range(2):
                 hand = 1 - 2 * j
                 away = near and most == 0
-                way = way_round(radius, eta, cx, cy, docking.heading, side, hand, (1 + most) * pi, away, bearing)
+                way = way_round(
+                    radius, eta, cx, cy, docking.heading, side, hand, (1 + most) * pi, away, bearing
+                )
                 if way + farther < best:
                     best, docking.side, docking.farther = way + farther, side, farther
         if best < _NO_WAY:
@@ -61,13 +64,13 @@ def way_round(radius, eta, cx, cy, approach, side, hand, most, away, bearing):
     dx = cx - eta[0] + hand * tight * sin(eta[5])
     dy = cy - eta[1] - hand * tight * cos(eta[5])
     apart, between = hypot(dx, dy), radius - hand * side * tight
-    if apart < between:
+    if apart < _ROOM * between:
         return _NO_WAY
-    heading = direction(dx, dy) - side * asin(between / apart)
+    heading = direction(dx, dy) - side * asin(min(between / max(apart, 1e-6), 1.0))
     first, last = turn_by(hand, heading - eta[5]), turn_by(side, approach - heading)
     if first > most or (away and turn_by(hand, bearing - eta[5]) < first):
         return _NO_WAY
-    return sqrt(apart * apart - between * between) + tight * first + radius * last
+    return sqrt(max(apart * apart - between * between, 0.0)) + tight * first + radius * last
 
 
 @jit

@@ -97,9 +97,8 @@ def fault_of(dt, settings, view, docking):
         return OFF_DEPTH
     if docking.gate_cycles * dt > settings.patience:
         return STUCK_AT_GATE
-    weak = docking.unbraked > settings.unbraked_most or -docking.surge_lag > settings.lag_near
-    fast = weak and view.left < settings.gate_distance + 1.0
-    if abs(docking.surge_lag) > settings.lag_most or fast:
+    fast = -docking.surge_lag > settings.lag_near and view.left < settings.gate_distance + 1.0
+    if abs(docking.surge_lag) > settings.lag_most or fast or docking.unbraked > settings.unbraked_most:
         return TOO_SLOW
     return 0
 
