@@ -178,7 +178,7 @@ def test_a_screw_with_a_fifth_of_its_thrust_still_stops_before_the_dock(number, 
 
 
 def test_a_way_round_from_the_hold_point_does_not_lead_over_the_dock() -> None:
-    """Protects: half a screw, a current from astern and a turn across the dock: this draw once ran through."""
+    """Protects: half a screw, a current from astern and a turn across the dock: this draw once ran in."""
     case = draw_case(710000, "any", "some")
     assert not hits(fly_case(case).log, case.mission.target).any()
 

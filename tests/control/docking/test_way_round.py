@@ -29,7 +29,7 @@ def way(ts100, north: float, east: float, psi_deg: float) -> tuple[float, Simple
 
 
 def test_the_way_round_is_turned_once_each_way_and_followed(ts100) -> None:
-    """Protects: the vehicle swung past the line's beginning and back, and lagged 20 deg behind in each turn."""
+    """Protects: the vehicle swung past the line's beginning and back, and lagged 20 deg in each turn."""
     text = (Path(__file__).parents[3] / "missions" / NAME).read_text()
     log = simulate(parse_mission(text, NAME, ts100), ts100).log
     rows = log[log["stage"] == ENTRY]

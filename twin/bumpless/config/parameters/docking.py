@@ -167,8 +167,11 @@ class DockingParameters:
     unbraked_most_mps: Annotated[
         float,
         pace("Faster by this than thrust should have left it", "unbraked_most",
-             "Over 3 s, close by: counts as a fault of the brake."),
-    ] = 0.039  # fmt: skip
+             "Over 3 s: with the share below counts as a fault of the brake."),
+    ] = 0.032  # fmt: skip
+    unbraked_share: Annotated[
+        float, share("And by this share of what thrust should have taken off it", "unbraked_share")
+    ] = 0.5
     hold_distance_m: Annotated[float, way("Hold point, where a wave-off ends", "hold_distance")] = 9.0
     back_speed_mps: Annotated[float, pace("Speed astern in still water", "back_speed")] = 0.15
     # references

@@ -27,8 +27,8 @@ def choose_way(settings, keep, eta, target, point, docking):
 
     Each is a turn from where the vehicle heads, a straight way and the turn on to the line (Dubins 1957). Two
     turns of opposite hands need room between their circles: where there is too little, joining farther out
-    gives it, or else the vehicle would swing past the line and back. keep: radius of the keep-out circle about
-    the target (3,), m; point (3,): the observation point, NED.
+    gives it, or else the vehicle would swing past the line and back. keep: radius of the keep-out circle
+    about the target (3,), m; point (3,): the observation point, NED.
     Returns the length of the way to where the line begins at the latest, m.
     """
     radius = settings.turn_radius
@@ -54,9 +54,9 @@ def choose_way(settings, keep, eta, target, point, docking):
 
 @jit
 def way_round(radius, eta, cx, cy, approach, side, hand, most, away, bearing):
-    """Length of the way to the line, m, by a first turn of this hand and the turn on to the line of this side,
-    about (cx, cy); none where the circles leave no room, where the first turn is greater than `most`, rad: the
-    autopilot turns the short way, and where it sweeps over the dock, at `bearing`, rad, and should stay away.
+    """Length of the way to the line, m, by a first turn of this hand and the turn on to the line of this
+    side, about (cx, cy); none where the circles leave no room, where the first turn is greater than `most`,
+    rad: the autopilot turns the short way, and where it sweeps over the dock, at `bearing`, rad, and should not.
 
     approach: heading of the line, rad.
     """
@@ -75,15 +75,15 @@ def way_round(radius, eta, cx, cy, approach, side, hand, most, away, bearing):
 
 @jit
 def turn_by(hand, angle):
-    """How far a turn of this hand goes until it has turned by `angle`, rad: from 0 to less than 2 pi. One that
-    would go all the way round for a little is none."""
+    """How far a turn of this hand goes until it has turned by `angle`, rad: from 0 to less than 2 pi. One
+    that would go all the way round for a little is none."""
     turn = (hand * angle) % (2.0 * pi)
     return turn if turn < 2.0 * pi - _LITTLE else 0.0
 
 
 @jit
 def circle_centre(settings, point, approach, side, farther):
-    """(north, east) of the circle of the turn on to the line, m. side 1: clockwise, to starboard of the line."""
+    """(north, east) of the circle of the turn on to the line, m. side 1: clockwise, to its starboard."""
     c, s = cos(approach), sin(approach)
     begins, radius = settings.entry_distance + farther, settings.turn_radius
     return point[0] - begins * c - side * radius * s, point[1] - begins * s + side * radius * c
@@ -190,8 +190,8 @@ def clear_leg(settings, plan, navigation, leg, left, heading, docking):
 
 @jit
 def entry_references(settings, plan, navigation, point, docking):
-    """(u goal, z goal, psi_d) on the way round; drift is made good by a crab angle, and the hull is not asked for
-    more in a turn, which drags, than its screw gives."""
+    """(u goal, z goal, psi_d) on the way round; drift is made good by a crab angle, and the hull is not
+    asked for more in a turn, which drags, than its screw gives."""
     eta, target, current = navigation.eta, navigation.target, navigation.current
     heading, far = circle_heading(settings, eta, point, docking)
     heading = wrap(clear_heading(settings, keep_out(settings, plan), eta, target, heading, far))

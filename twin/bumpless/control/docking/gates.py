@@ -98,7 +98,8 @@ def fault_of(dt, settings, view, docking):
     if docking.gate_cycles * dt > settings.patience:
         return STUCK_AT_GATE
     fast = -docking.surge_lag > settings.lag_near and view.left < settings.gate_distance + 1.0
-    if abs(docking.surge_lag) > settings.lag_most or fast or docking.unbraked > settings.unbraked_most:
+    weak = docking.unbraked > max(settings.unbraked_most, settings.unbraked_share * docking.braked)
+    if abs(docking.surge_lag) > settings.lag_most or fast or weak:
         return TOO_SLOW
     return 0
 

@@ -31,6 +31,7 @@ DOCKING_STATE = np.dtype(
         ("lateral_rate", f8),  # speed over ground across the approach line, to starboard, smoothed, m/s
         ("surge_lag", f8),  # by how much speed stays behind its reference, smoothed, m/s
         ("made", f8),  # speed that the commands should have made of it, m/s
+        ("braked", f8),  # of that, what thrust astern should have taken off it lately, m/s
         ("unbraked", f8),  # by how much the vehicle is faster than that, smoothed, m/s
         ("u_dot", f8),  # of the speed reference, m/s^2
         ("turn", f8),  # rate of the heading reference under way, smoothed, rad/s

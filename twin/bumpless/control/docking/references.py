@@ -69,8 +69,8 @@ def pitch_reference(settings, guidance, depth, z_d, e_dot_z, u_r, docking):
 
 @jit
 def shape_speed(dt, settings, acceleration, u_goal, reference, docking):
-    """Move u_d towards its goal, m/s, at an acceleration that changes no faster than the jerk: but at once where
-    the vehicle would not stop before the dock."""
+    """Move u_d towards its goal, m/s, at an acceleration that changes no faster than the jerk: but at once
+    where the vehicle would not stop before the dock."""
     reason = docking.reason
     if docking.stage == BACK and (reason == TOO_SLOW or reason == OVERSHOT or reason == OFF_HEADING):
         reference[0] = min(reference[0], u_goal)
@@ -164,11 +164,13 @@ def rest_references(view, docking):
 def note_brake(dt, model, thrust, u, u_r, docking):
     """Smooth by how much speed u, m/s, exceeds what the commanded thrust, N, and drag should have made of it.
 
-    made' = (thrust - drag(u_r)) / (m - X_u') + (u - made) / T, so that what is off by a little for good counts
-    for little. A brake that is weak shows here before it shows in the speed: the PID asks for more at first.
+    made' = (thrust - drag(u_r)) / (m - X_u') + (u - made) / T, so that what is off by a little for good
+    counts for little; `braked` is the part of thrust astern in it, of which a weak brake lacks a share. A
+    brake that is weak shows here before it shows in the speed: the PID asks for more at first.
     """
     pull = (thrust - surge_drag(model, u_r)) / surge_mass(model)
     docking.made += dt * (pull + (u - docking.made) / _T_MADE)
+    docking.braked -= dt * (thrust / surge_mass(model) + docking.braked / _T_MADE)
     docking.unbraked += lag(dt, _T_UNBRAKED) * (u - docking.made - docking.unbraked)
 
 

@@ -37,8 +37,8 @@ def surge_feed(settings, model, u_d, u_dot, nu_c):
 
 @jit
 def turn_feed(settings, model, u_r, damping, r_d):
-    """Moment about z_b that a turn at r_d, rad/s, asks for, N m: of the hull, of fins that meet the turn's flow,
-    and what the PID takes for a turn that is not wanted. damping: its K_D, N m s/rad; u_r: m/s."""
+    """Moment about z_b that a turn at r_d, rad/s, asks for, N m: of the hull, of fins that meet the turn's
+    flow, and what the PID takes for a turn that is not wanted. damping: its K_D, N m s/rad; u_r: m/s."""
     drag = model.D_linear[5, 5] + model.D_quadratic[5, 5] * abs(r_d) + damping
     for i in range(model.n_u):
         if model.kind[i] == FIN:
