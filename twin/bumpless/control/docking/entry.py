@@ -55,8 +55,9 @@ def choose_way(settings, keep, eta, target, point, docking):
 @jit
 def way_round(radius, eta, cx, cy, approach, side, hand, most, away, bearing):
     """Length of the way to the line, m, by a first turn of this hand and the turn on to the line of this
-    side, about (cx, cy); none where the circles leave no room, where the first turn is greater than `most`,
-    rad: the autopilot turns the short way, and where it sweeps over the dock, at `bearing`, rad, and should not.
+    side, about (cx, cy); none where the circles leave no room, where the first turn is greater than
+    `most`, rad: the autopilot turns the short way, and where it sweeps over the dock, at `bearing`, rad, and
+    should not.
 
     approach: heading of the line, rad.
     """
