@@ -12,7 +12,7 @@ import typer
 from bumpless.contract.exits import BROKEN, NOT_AS_REQUIRED, REFUSED
 
 if TYPE_CHECKING:
-    from bumpless import Mission, Problem, Run
+    from bumpless import Mission, Problem, Run, Vehicle
     from bumpless.campaign.replay import Replay
     from bumpless.metrics import Columns
 
@@ -43,7 +43,8 @@ def run(
 ) -> None:
     """Fly a mission as fast as the machine can.
 
-    Prints how it ended and its metrics, and writes its log.
+    Prints how it ended and its metrics, and writes its log. What `validate` says against the mission is said
+    here too, and it is flown all the same.
 
     Exit codes: 0 flown (and ended as required), 1 mission or parameters refused or the log cannot be written,
     2 wrong usage, 3 the simulation broke down, 4 flown, but the outcome is not one that --require names.
@@ -62,6 +63,7 @@ def run(
         if draw is None:
             who = None if vehicle is None else bumpless.load_vehicle(vehicle)
             flown, numbers, alter = _laid(bumpless.load_mission(mission, who), mission, charts), tables, None
+            _foretell(flown, who, mission)
         else:
             flown, who, numbers, alter = _drawn(mission, draw, tables)
         fly = partial(bumpless.fly, vehicle=who, seed=seed, parameters=numbers, alter=alter)
@@ -115,6 +117,15 @@ def _laid(mission: "Mission", path: Path, charts: Path | None) -> "Mission":
         return laid(mission, path.parent, charts)
     except NotAChart as error:
         raise MissionError([Problem(path.name, None, None, "sea_floor.grid", None, str(error))]) from error
+
+
+def _foretell(mission: "Mission", vehicle: "Vehicle | None", path: Path) -> None:
+    """Say what `validate` would, and fly all the same: a simulation harms nobody."""
+    from bumpless import check
+
+    for found in check(mission, vehicle):
+        word = "error" if found.blocks else "warning"
+        typer.echo(f"{path}: {word}: {found.field}: {found.text} {found.change}".rstrip(), err=True)
 
 
 def _drawn(path: Path, number: int, changes: dict[str, dict[str, Any]]) -> "Replay":

@@ -71,6 +71,13 @@ def test_run_prints_json_and_writes_a_log(short: Path, tmp_path: Path) -> None:
     assert not list(tmp_path.glob("*.part"))
 
 
+def test_a_run_says_what_stands_against_its_mission() -> None:
+    """Protects: a mission that the check refuses was flown without a word, and its exit code was 0."""
+    told, said = bumpless("run", MISSIONS / "docking_refused.yaml")
+    assert "error: target.heading_deg: ts100 can't hold" in said and "Waved off" in told
+    assert bumpless("run", MISSIONS / "docking.yaml")[1].count("error:") == 0
+
+
 def test_a_required_outcome_is_the_exit_code(short: Path, tmp_path: Path) -> None:
     """Protects: a script that flies learns from the code whether it docked; the log is written anyway."""
     out = tmp_path / "short.mcap"
