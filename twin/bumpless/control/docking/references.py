@@ -21,6 +21,7 @@ _T_DEPTH_RATE = 1.0  # s, smoothing of the depth reference's rate
 _T_LAG = 4.0  # s, smoothing of the speed error
 _T_TURN = 1.0  # s, smoothing of the heading reference's rate
 _T_MADE, _T_UNBRAKED = 3.0, 0.5  # s, of the speed that commands should have made, and of what is beyond it
+_SURE_DRAG = 0.75  # of the hull: with less than this no brake is blamed
 _CLIMB_MOST = 0.2  # rad of path slope fed forward
 
 
@@ -168,7 +169,7 @@ def note_brake(dt, model, thrust, u, u_r, docking):
     counts for little; `braked` is the part of thrust astern in it, of which a weak brake lacks a share. A
     brake that is weak shows here before it shows in the speed: the PID asks for more at first.
     """
-    pull = (thrust - surge_drag(model, u_r)) / surge_mass(model)
+    pull = (thrust - _SURE_DRAG * surge_drag(model, u_r)) / surge_mass(model)
     docking.made += dt * (pull + (u - docking.made) / _T_MADE)
     docking.braked -= dt * (thrust / surge_mass(model) + docking.braked / _T_MADE)
     docking.unbraked += lag(dt, _T_UNBRAKED) * (u - docking.made - docking.unbraked)
