@@ -2,6 +2,7 @@
 
 import math
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -16,7 +17,8 @@ def alarms_of(run: bumpless.Run) -> set[str]:
     """Codes of everything that was ever alarmed at, from what the vehicle said."""
     conditions, codes = Conditions(Limits(), lambda: math.inf), set()
     for topic, message in run.messages():
-        heard = conditions.hear(topic, message, message.stamp.time_ns)
+        told: Any = message
+        heard = conditions.hear(topic, message, told.stamp.time_ns)
         codes |= {code for code, cause in heard if cause is not None}
     return codes
 
