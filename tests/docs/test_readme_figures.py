@@ -6,7 +6,12 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[2]
-ROWS = ("hull in the dock", "docked, approach into the current", "docked in still water", "hover held for 10 min")
+ROWS = (
+    "hull in the dock",
+    "docked, approach into the current",
+    "docked in still water",
+    "hover held for 10 min",
+)
 
 
 @pytest.mark.parametrize("row", ROWS)
