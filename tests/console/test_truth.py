@@ -182,11 +182,11 @@ def test_a_clock_that_steps_back_wipes_nothing(console: Page, server: ContractSe
 def test_times_of_day_carry_their_zone_and_it_can_be_chosen(console: Page, server: ContractServer) -> None:
     """Protects two crews on two coasts from each other."""
     clock = console.get_by_role("banner").locator("button.clock")
-    expect(clock).to_have_text(re.compile(r"^\d\d:\d\d:\d\d UTC$"))
+    expect(clock).to_have_text(re.compile(r"^\d\d:\d\d:\d\d\sUTC$"))
     expect(clock).to_have_attribute("title", "Show local time everywhere")
     clock.click()
     expect(clock).to_have_attribute("title", "Show UTC everywhere")
-    expect(clock).to_have_text(re.compile(r"^\d\d:\d\d:\d\d UTC"))
+    expect(clock).to_have_text(re.compile(r"^\d\d:\d\d:\d\d\sUTC"))
 
 
 @pytest.mark.parametrize(("width", "height"), [(720, 900), (900, 700), (720, 450)])
