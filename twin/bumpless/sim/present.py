@@ -148,6 +148,7 @@ class PresentTwin(Twin):
         docking["stage_cycle"] = cycle - round(said.time_in_mode_s / self.period_s)
         docking["tried"], docking["reason"] = said.docking_tries, said.wave_off_reason
         docking["heading"] = radians(said.approach_heading_deg)
+        docking["made"] = self._state["navigation"]["nu"][0]  # no brake is blamed for what was not seen
         docking["fix_age"] = round(min(said.fix_age_s, 1e6) / self.period_s)
         docking["cleared"] = said.range_m <= float(self._settings["docking"]["gate_distance"])
 
