@@ -83,10 +83,11 @@ def test_a_vehicle_that_flies_other_values_is_called_out(weights: Page, server: 
 def test_a_new_node_that_counts_anew_ends_the_wait(weights: Page, server: ContractServer) -> None:
     """Protects against waiting for ever, unable to apply again, for a revision that died with its node."""
     tell(server, flight.parameters(), 7)
+    draft = weights.get_by_label("Draft", exact=True)
+    expect(draft).to_contain_text("Active: revision 7")  # or 1 would be no smaller than what was heard
     server.reply("PUT", "parameters", {"accepted": True, "reason": "", "revision": 8})
     weights.get_by_label("Hover: Q Z", exact=True).fill("6.5")
     weights.get_by_role("button", name="Apply to vehicle").click()
-    draft = weights.get_by_label("Draft", exact=True)
     expect(draft).to_contain_text("Accepted, waiting for revision 8")
     tell(server, flight.parameters(), 1)
     expect(draft).to_contain_text("The vehicle flies other values in 1 field(s)")

@@ -5,6 +5,7 @@ import pytest
 from google.protobuf.message import Message
 
 from bumpless import Run, fly
+from bumpless.contract.enums import ENTRY
 from bumpless.sim.present import PresentTwin, Said
 
 
@@ -39,6 +40,16 @@ def test_it_goes_on_as_the_vehicle_does(run: Run, time_s: float) -> None:
     assert apart.max() < 0.25
     assert np.abs(log["eta"][:, 2] - columns.eta_hat[first : first + 201, 2]).max() < 0.05
     assert int(log["mode"][0]) == int(columns.mode[first])
+
+
+@pytest.mark.parametrize("time_s", [25.0, 55.0])
+def test_it_goes_on_round_as_the_vehicle_does(time_s: float) -> None:
+    """Protects the forecast on a way round: it knew neither side nor turn, and was 3 m off in 10 s."""
+    run = fly("docking_into_current", started_ns=0)
+    log, first = twin(run, said(run, time_s)).ahead(201), round(time_s / 0.05)
+    assert int(run.columns.stage[first]) == ENTRY
+    apart = np.linalg.norm(log["eta"][:, :2] - run.columns.eta_hat[first : first + 201, :2], axis=1)
+    assert apart.max() < 0.25
 
 
 def test_the_switch_ahead_is_the_one_that_comes(run: Run) -> None:

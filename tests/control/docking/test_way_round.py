@@ -11,9 +11,9 @@ from bumpless.config.parameters import default_parameters
 from bumpless.contract.enums import ENTRY
 from bumpless.control.docking.entry import choose_way, circle_heading
 from bumpless.feasibility.reach import docking_settings
-from bumpless.sim.twin import simulate
+from bumpless.sim.twin import Twin, simulate
 
-NAME = "docking_into_current.yaml"
+MISSIONS, NAME = Path(__file__).parents[3] / "missions", "docking_into_current.yaml"
 POINT, MARKER, KEEP = np.array([0.0, 0.0, 2.0]), np.array([1.5, 0.0, 2.0]), 6.0  # a dock to the north
 RADIUS = 6.0
 
@@ -30,7 +30,7 @@ def way(ts100, north: float, east: float, psi_deg: float) -> tuple[float, Simple
 
 def test_the_way_round_is_turned_once_each_way_and_followed(ts100) -> None:
     """Protects: the vehicle swung past the line's beginning and back, and lagged 20 deg in each turn."""
-    text = (Path(__file__).parents[3] / "missions" / NAME).read_text()
+    text = (MISSIONS / NAME).read_text()
     log = simulate(parse_mission(text, NAME, ts100), ts100).log
     rows = log[log["stage"] == ENTRY]
     psi = np.degrees(np.unwrap(rows["eta"][:, 5]))
@@ -38,6 +38,17 @@ def test_the_way_round_is_turned_once_each_way_and_followed(ts100) -> None:
     assert np.abs(np.diff(psi)).sum() < 320.0  # a right angle out and three quarters of a circle back at most
     assert np.abs(lag).max() < 15.0
     assert np.abs(rows["cross_track"]).max() < 0.3  # of the way that is flown, not of the line to come
+
+
+def test_a_pause_in_a_turn_feeds_no_turn(ts100) -> None:
+    """Protects: who holds station in a pause is not asked for the moment of the turn that was flown."""
+    twin = Twin(ts100)
+    twin.start(parse_mission((MISSIONS / NAME).read_text(), NAME, ts100))
+    while abs(twin.onboard["state"]["docking"]["turn"]) < 0.1:
+        twin.step()
+    twin.pause()
+    twin.step()
+    assert twin.onboard["state"]["docking"]["turn"] == 0.0
 
 
 def test_straight_on_to_the_line_is_no_way_round(ts100) -> None:

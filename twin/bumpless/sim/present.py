@@ -7,6 +7,7 @@ where it believes it, its sensors are without noise: what follows is what the ve
 
 from dataclasses import dataclass
 from math import radians
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -15,8 +16,10 @@ from bumpless.config.mission import Mission
 from bumpless.config.parameters import Parameters
 from bumpless.config.vehicle import Vehicle
 from bumpless.contract import bumpless_pb2 as pb
-from bumpless.contract.enums import FORWARD, RUNNING
+from bumpless.contract.enums import ENTRY, FORWARD, RUNNING, TRANSIT
 from bumpless.contract.units import EDGE_PER_SI
+from bumpless.control.docking.entry import choose_way
+from bumpless.control.guidance.station import observation_point
 from bumpless.sim.cycle import fly
 from bumpless.sim.twin import Twin, new_log
 
@@ -151,6 +154,20 @@ class PresentTwin(Twin):
         docking["made"] = self._state["navigation"]["nu"][0]  # no brake is blamed for what was not seen
         docking["fix_age"] = round(min(said.fix_age_s, 1e6) / self.period_s)
         docking["cleared"] = said.range_m <= float(self._settings["docking"]["gate_distance"])
+        if docking["stage"] in (TRANSIT, ENTRY):
+            docking["turn"] = self._state["navigation"]["nu"][5]
+        if docking["stage"] == ENTRY:
+            self._remember_way()
+
+    def _remember_way(self) -> None:
+        """Where the way round leads: the shortest from here, the one begun but for its first seconds."""
+        docking, believed, plan = self._state["docking"], self._state["navigation"], self.onboard["plan"]
+        settings = self._settings["docking"].copy().view((np.record, self._settings["docking"].dtype))
+        keep, point = settings.keep_out + float(plan["dock_radius"]), np.zeros(4)
+        observation_point(believed["target"], float(docking["heading"]), float(plan["standoff"]), point)
+        way = SimpleNamespace(heading=float(docking["heading"]), side=0, farther=0.0)
+        choose_way.py_func(settings, keep, believed["eta"], believed["target"], point, way)
+        docking["side"], docking["farther"] = way.side, way.farther
 
     def _learn(self) -> None:
         """What guidance has learnt and integrals hold, from one cycle flown for trial and taken back."""

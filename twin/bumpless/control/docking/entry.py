@@ -35,20 +35,18 @@ def choose_way(settings, keep, eta, target, point, docking):
     bearing, off, _ = tangent(keep, eta, target)
     near = off < keep + 2.0 * radius
     best = _NO_WAY
-    for most in range(2):
+    for attempt in range(2):
         for k in range(2 * _FARTHER):
             side, farther = 1 - 2 * (k % 2), 0.5 * (k // 2) * radius
             cx, cy = circle_centre(settings, point, docking.heading, side, farther)
             for j in range(2):
                 hand = 1 - 2 * j
-                away = near and most == 0
-                way = way_round(
-                    radius, eta, cx, cy, docking.heading, side, hand, (1 + most) * pi, away, bearing
-                )
+                most, away = (1 + attempt) * pi, near and attempt == 0
+                way = way_round(radius, eta, cx, cy, docking.heading, side, hand, most, away, bearing)
                 if way + farther < best:
                     best, docking.side, docking.farther = way + farther, side, farther
         if best < _NO_WAY:
-            break  # else any way will do
+            break  # else any turn will do
     return best
 
 

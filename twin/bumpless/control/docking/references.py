@@ -157,7 +157,7 @@ def begin_at(navigation, reference, docking):
 @jit
 def rest_references(view, docking):
     """While paused nothing of the shaping goes on; depth is held by heave."""
-    docking.u_dot = docking.leg_climb = docking.pitch_share = 0.0
+    docking.u_dot = docking.leg_climb = docking.pitch_share = docking.turn = 0.0
     view.depth_moves = 0
 
 
