@@ -60,6 +60,10 @@ class Worker:
             process.kill()
         await process.wait()
         await reading
+        if process.stdin is not None:  # its pipe would outlive the loop else
+            process.stdin.close()
+            with contextlib.suppress(OSError):
+                await process.stdin.wait_closed()
 
     def _write(self, line: bytes) -> None:
         if self._process is not None and self._process.stdin is not None:
