@@ -7,7 +7,7 @@ import { runs } from "../api/resources";
 import type { RunSummary } from "../api/types";
 import type { components } from "../gen/api";
 import { bytes, clock, dateTime, fixed } from "../lib/format";
-import { href } from "../shell/address";
+import { go, href } from "../shell/address";
 import { DeleteButton } from "../ui/delete_button";
 import { DownloadIcon, PlayIcon, WarningIcon } from "../ui/icons";
 import { Empty, Panel } from "../ui/panel";
@@ -190,7 +190,10 @@ function Delete({ flight: { head, pieces, growing } }: { flight: Flight }) {
       why={growing ? "A run being recorded cannot be deleted" : ""}
       title={`Press and hold to put the record${all} into the bin`}
       remove={() => throwAway(pieces.map(({ id }) => id))}
-      after={() => runs.refresh()}
+      after={(gone) => {
+        if (gone) go("runs", "", {}, true);
+        return runs.refresh();
+      }}
     />
   );
 }
