@@ -3,6 +3,7 @@ import { useEffect } from "preact/hooks";
 import { DockingStage, type Supervisor, WaveOffReason } from "../gen/bumpless_pb";
 import { age, headingOf } from "../lib/format";
 import { headingsOf, heldWord } from "../lib/held";
+import { wrapDegrees } from "../stream/history";
 import { inForce, screen } from "../stream/screen";
 import { CheckIcon, CrossIcon, WarningIcon } from "../ui/icons";
 import { heldNow, watchStation } from "./station";
@@ -38,7 +39,7 @@ export function DockingLine({ supervisor: s }: { supervisor: Supervisor }) {
       <b>{STAGES[s.dockingStage] ?? "Docking"}</b>
       {approach && <span class="num">{approach}</span>}
       <span class="muted num">heading {headingOf(s.approachHeadingDeg, 0).padStart(3, "0")}°</span>
-      {screen.isLive && <Holds />}
+      {screen.isLive && <Holds told={s.approachHeadingDeg} />}
       {s.fixAgeS > FRESH_FIX_S && <span class="muted num">{lastSeen(s)}</span>}
       {s.waveOffReason !== WaveOffReason.UNSPECIFIED && (
         <span class="wave-off">waved off: {words(s.waveOffReason)}</span>
@@ -53,16 +54,21 @@ const LOOKS = {
   refused: { Icon: CrossIcon, look: "lost" },
 } as const;
 
-/** Whether its heading holds station in the current that it estimates, and which would. */
-function Holds() {
+/** From here on it is another heading, deg. */
+const TURNS_DEG = 2;
+
+/** Whether its heading holds station in the current that it estimates, and which would. `told`: the heading in use. */
+function Holds({ told }: { told: number }) {
   useEffect(watchStation, []);
   const held = heldNow.value;
   if (!held) return null;
   const { Icon, look } = LOOKS[held.zone];
   const good = headingsOf(held, "accepted") || "no heading surely";
+  const turns = Math.abs(wrapDegrees(held.heading_deg - told)) >= TURNS_DEG;
   return (
     <span class={`holds ${look}`} role="group" aria-label="Station keeping" title={held.reason || undefined}>
-      <Icon size={11} /> {heldWord(held.zone)}
+      <Icon size={11} /> {turns && `will turn to ${headingOf(held.heading_deg, 0).padStart(3, "0")}°, which `}
+      {heldWord(held.zone)}
       <span class="muted num">{held.zone === "accepted" ? good : `would hold: ${good}`}</span>
     </span>
   );

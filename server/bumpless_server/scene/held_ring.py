@@ -110,8 +110,10 @@ class HeldWatch:
         return self._told
 
     def _about(self) -> tuple[object, ...] | None:
-        topics = ("navigation", "target", "mission", "parameters", "description")
-        navigation, target, mission, parameters, description = (self._state.latest(t) for t in topics)
+        topics = ("navigation", "target", "mission", "parameters", "description", "supervisor")
+        navigation, target, mission, parameters, description, supervisor = (
+            self._state.latest(topic) for topic in topics
+        )
         if self._state.link != pb.LINK_STATE_LIVE or None in (navigation, target, mission):
             return None
         if mission.phase not in MOVING:
@@ -121,6 +123,7 @@ class HeldWatch:
             *(round(part / STEP_MPS) for part in (flow.x, flow.y)),
             round(target.heading_deg),
             mission.run_id,
+            supervisor.docking_stage if supervisor is not None else 0,
             parameters.revision if parameters is not None else 0,
             description.sha256 if description is not None else "",
         )
