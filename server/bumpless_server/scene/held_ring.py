@@ -22,7 +22,7 @@ DASH = 3  # segments drawn and left out in turn where it may not hold
 TOOTH_DEG = 8
 SEGMENTS = 2 * 360 // STEP_DEG + 360 // TOOTH_DEG + 3
 INKS = {"accepted": palette.HOLDS, "warned": palette.MAY_NOT_HOLD, "refused": palette.CANT_HOLD}
-WORDS = {"accepted": "holds station", "warned": "may not hold station", "refused": "can't hold station"}
+WORDS = {"accepted": "holds", "warned": "may not hold", "refused": "can't hold"}
 EACH_S = 1.5  # asked for again at most so often,
 STEP_MPS = 0.005  # and once the estimate has moved by so much
 
@@ -75,7 +75,7 @@ def ring(held: Held) -> tuple[np.ndarray, np.ndarray]:
     teeth = np.arange(TOOTH_DEG // 2, 360, TOOTH_DEG)
     refused = np.array([zone[k] == "refused" for k in teeth])
     taken = held.heading_deg
-    head = [(taken - 4.0, 0.84), (taken, 0.96), (taken + 4.0, 0.84)]
+    head = [(taken - 3.0, 0.87), (taken, 0.97), (taken + 3.0, 0.87)]
     corners = [along(*corner) for corner in head]
     segments = np.concatenate(
         [
@@ -138,7 +138,7 @@ class HeldView:
             f"{WORLD}/holds",
             np.zeros((SEGMENTS, 2, 3), np.float32),
             np.zeros((SEGMENTS, 2, 3), np.uint8),
-            thickness=2.0,
+            thickness=1.6,
             thickness_units="screen",
             visible=False,
         )
