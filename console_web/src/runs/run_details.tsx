@@ -160,8 +160,14 @@ function Pieces({ flight: { pieces }, told }: { flight: Flight; told: Whole | un
                 {held?.first_s == null ? "–" : `T+${clock(held.first_s)} to ${clock(held.last_s)}`}
               </td>
               <td class="piece-end">
-                {piece.state === "recording" ? "being recorded" : `${piece.outcome ? "mission" : "hold"}: `}
-                <span class="muted">{piece.end_reason}</span>
+                {piece.state === "recording"
+                  ? "being recorded"
+                  : piece.outcome
+                    ? "mission: "
+                    : "hold after it "}
+                {(piece.outcome || piece.state !== "complete") && (
+                  <span class="muted">{piece.end_reason}</span>
+                )}
               </td>
               <td>
                 <a
