@@ -18,6 +18,8 @@ const STAGES: Record<DockingStage, string> = {
   [DockingStage.CREEP]: "Creeping into the dock",
   [DockingStage.CAPTURED]: "Latched in the dock",
 };
+/** Where the last approach has been given up; in any other the vehicle tries again. */
+const LEFT = new Set([DockingStage.BACK, DockingStage.HOLD]);
 const FRESH_FIX_S = 2;
 
 /** "TARGET_LOST" as people say it. */
@@ -42,7 +44,9 @@ export function DockingLine({ supervisor: s }: { supervisor: Supervisor }) {
       {screen.isLive && <Holds told={s.approachHeadingDeg} />}
       {s.fixAgeS > FRESH_FIX_S && <span class="muted num">{lastSeen(s)}</span>}
       {s.waveOffReason !== WaveOffReason.UNSPECIFIED && (
-        <span class="wave-off">waved off: {words(s.waveOffReason)}</span>
+        <span class="wave-off">
+          waved off{LEFT.has(s.dockingStage) ? "" : " before"}: {words(s.waveOffReason)}
+        </span>
       )}
     </p>
   );
