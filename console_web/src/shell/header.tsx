@@ -128,8 +128,8 @@ function Recording() {
   const status = live.latest("server/status");
   if (status && !live.isFresh("server/status")) {
     return (
-      <span class="chip" data-look="off" title="The server does not answer">
-        <HollowIcon size={11} /> Rec<span class="spare">ording</span> unknown
+      <span class="chip unknown" data-look="off" title="Not known: the server does not answer">
+        <HollowIcon size={11} /> Rec<span class="spare">ording unknown</span>
       </span>
     );
   }
