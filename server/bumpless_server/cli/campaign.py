@@ -75,7 +75,7 @@ def loaded(file: Path) -> "Prepared":
 
 @contextmanager
 def said_plainly() -> Iterator[None]:
-    """Errors of folder and cluster, and Ctrl-C, as one line and an exit code."""
+    """Errors of folder, disk and cluster, and Ctrl-C, as one line and an exit code."""
     from bumpless.campaign.cluster import ClusterError
     from bumpless.campaign.store import StoreError
 
@@ -84,6 +84,10 @@ def said_plainly() -> Iterator[None]:
         yield
     except StoreError as error:
         typer.echo(str(error), err=True)
+        raise typer.Exit(REFUSED) from error
+    except OSError as error:
+        said = f"{error.filename}: {error.strerror}" if error.filename else str(error)
+        typer.echo(f"{said}; {again}", err=True)
         raise typer.Exit(REFUSED) from error
     except ClusterError as error:
         typer.echo(f"{error}; {again}", err=True)
