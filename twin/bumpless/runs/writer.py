@@ -201,7 +201,7 @@ def _figures(
 ) -> Figures | None:
     """The figures of a file; None without. A run is worth keeping without its figures."""
     try:
-        return figures_of_file(path, run_id, state, status.phase, reason, grid)
+        return figures_of_file(path, run_id, state, status, reason, grid)
     except Exception:
         log.exception("the metrics of %s could not be computed", path)
         return None
