@@ -3,6 +3,7 @@
 import logging
 import multiprocessing
 import os
+import socket
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -13,6 +14,7 @@ if TYPE_CHECKING:
     from distributed import Client, LocalCluster
 
 ANSWER_S = 10.0  # how long a scheduler may take to answer
+WORKERS_S = 60.0  # how long the first worker may take to join one
 
 
 class ClusterError(RuntimeError):
@@ -25,6 +27,7 @@ def opened(address: str | None = None, workers: int | None = None) -> "Iterator[
     logging.getLogger("distributed").setLevel(logging.CRITICAL)  # what matters is raised
     if address is not None:
         with _reached(address) as client:
+            _await_workers(client)
             yield client
         return
     from distributed import Client
@@ -83,6 +86,24 @@ def _reached(address: str) -> "Client":
     from distributed import Client
 
     try:
+        _knock(address)
         return Client(address, timeout=ANSWER_S, set_as_default=False)
-    except (OSError, ValueError, TimeoutError) as error:
+    except (OSError, ValueError) as error:
         raise ClusterError(f"no Dask scheduler answers at {address}: {error}") from error
+
+
+def _knock(address: str) -> None:
+    """Raise at once what Dask would try again until its time is over: nobody listens there."""
+    scheme, _, place = address.rpartition("://")
+    host, _, port = place.rpartition(":")
+    if scheme not in ("", "tcp", "tls") or not host or not port.isdecimal():
+        raise ValueError("must be tcp://HOST:PORT or tls://HOST:PORT")
+    socket.create_connection((host.strip("[]"), int(port)), ANSWER_S).close()
+
+
+def _await_workers(client: "Client") -> None:
+    try:
+        client.wait_for_workers(1, WORKERS_S)
+    except TimeoutError as error:
+        where = client.scheduler.address if client.scheduler else "the scheduler"
+        raise ClusterError(f"no worker has joined {where} within {WORKERS_S:g} s") from error

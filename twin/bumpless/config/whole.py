@@ -2,7 +2,7 @@
 
 import os
 import stat
-from collections.abc import Iterator
+from collections.abc import Generator
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -15,7 +15,7 @@ class NotWritten(OSError):
 
 
 @contextmanager
-def whole(target: Path) -> Iterator[Path]:
+def whole(target: Path) -> Generator[Path]:
     """A path to write to, beside `target`; its file takes the place of `target` at the end.
 
     Where writing fails it is gone again, and `target` is as it was. Raises NotWritten, also where something

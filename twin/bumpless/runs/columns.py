@@ -17,6 +17,7 @@ from bumpless.config.problems import ProblemsError
 from bumpless.config.vehicle import Vehicle, VehicleError, parse_vehicle
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.keys import SAID
+from bumpless.contract.modes import MODE_LETTERS
 from bumpless.contract.units import EDGE_PER_SI
 from bumpless.metrics import Columns, Figures
 from bumpless.metrics.columns import FLOWN, MOST_ODD, DockColumns
@@ -208,6 +209,8 @@ _DOCKING = ("docking_stage", "docking_tries", "wave_off_reason", "approach_headi
 
 
 def _supervisor(m: pb.Supervisor) -> tuple[float, ...]:
+    if m.mode not in MODE_LETTERS:
+        raise ValueError(f"there is no mode {m.mode}")
     said = (m.phase, m.stamp.mission_time_s, m.mode, m.kappa, m.range_m)
     return (*said, *(getattr(m, name, 0) for name in _DOCKING))
 

@@ -7,6 +7,7 @@ from bumpless.contract import bumpless_pb2 as pb
 from bumpless.metrics import Columns, Ending, Figures, Outcome, figures_of
 from bumpless.metrics.columns import GAP_S
 from bumpless.metrics.outcome import How
+from bumpless.runs.info import elapsed_ns
 from bumpless.runs.names import COMPLETE
 
 if TYPE_CHECKING:
@@ -46,7 +47,7 @@ def _how_ended(columns: Columns, status: pb.MissionStatus, state: str, reason: s
         return "interrupted", reason
     if status.phase == pb.MISSION_PHASE_ABORTED:
         return "aborted", reason
-    missing_s = status.elapsed_s - float(columns.time[-1])
+    missing_s = elapsed_ns(status) * 1e-9 - float(columns.time[-1])
     if missing_s > GAP_S and not columns.lost:
         return "interrupted", f"the last {missing_s:.1f} s of the flight were not recorded"
     return "completed", ""
