@@ -77,6 +77,7 @@ def loaded(file: Path) -> "Prepared":
 def said_plainly() -> Iterator[None]:
     """Errors of folder, disk and cluster, and Ctrl-C, as one line and an exit code."""
     from bumpless.campaign.cluster import ClusterError
+    from bumpless.campaign.flight import OtherSoftware
     from bumpless.campaign.store import StoreError
 
     again = "what was flown is stored; the same command with --resume goes on"
@@ -89,7 +90,7 @@ def said_plainly() -> Iterator[None]:
         said = f"{error.filename}: {error.strerror}" if error.filename else str(error)
         typer.echo(f"{said}; {again}", err=True)
         raise typer.Exit(REFUSED) from error
-    except ClusterError as error:
+    except (ClusterError, OtherSoftware) as error:
         typer.echo(f"{error}; {again}", err=True)
         raise typer.Exit(LOST) from error
     except KeyboardInterrupt as error:

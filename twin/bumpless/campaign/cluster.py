@@ -10,6 +10,8 @@ from contextlib import contextmanager
 from functools import cache
 from typing import TYPE_CHECKING
 
+from bumpless.campaign.prepared import software
+
 if TYPE_CHECKING:
     from distributed import Client, LocalCluster
 
@@ -28,6 +30,7 @@ def opened(address: str | None = None, workers: int | None = None) -> "Iterator[
     if address is not None:
         with _reached(address) as client:
             _await_workers(client)
+            _compare_software(client)
             yield client
         return
     from distributed import Client
@@ -107,3 +110,15 @@ def _await_workers(client: "Client") -> None:
     except TimeoutError as error:
         where = client.scheduler.address if client.scheduler else "the scheduler"
         raise ClusterError(f"no worker has joined {where} within {WORKERS_S:g} s") from error
+
+
+def _compare_software(client: "Client") -> None:
+    """What joins later is compared by each chunk, see `FlyNumbers`."""
+    again = "install on the workers what runs here"
+    try:
+        found = client.run(software)
+    except (ImportError, AttributeError) as error:
+        raise ClusterError(f"a worker cannot load this version of Bumpless: {error}; {again}") from error
+    for worker, its in found.items():
+        if its != software():
+            raise ClusterError(f"{worker} has Bumpless {its}, here is {software()}; {again}")
