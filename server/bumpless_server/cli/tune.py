@@ -48,7 +48,7 @@ def tune(
 
             study.search(found, prepared, fly, show)
             tuned = result.judge(found, prepared, fly)
-    result.write(folder, prepared, tuned)
+        result.write(folder, prepared, tuned)
     typer.echo(json.dumps(tuned.as_dict(), indent=2) if as_json else _text(tuned, folder))
 
 

@@ -11,6 +11,7 @@ from bumpless.campaign.prepared import Prepared
 from bumpless.campaign.summary import Share, share_of
 from bumpless.campaign.tune.score import Quality, quality_of, score_interval, score_of
 from bumpless.campaign.tune.study import Fly, applied, present, reference_of
+from bumpless.config.whole import write_text
 
 if TYPE_CHECKING:
     from optuna import Study
@@ -100,8 +101,8 @@ def _read(one: dict[str, Any]) -> Judged:
 def write(folder: Path, prepared: Prepared, tuned: Tuned) -> None:
     """`parameters.toml`, which `parameters_file` of a campaign takes, and `tune.json`."""
     numbers = json.dumps(tuned.as_dict(), indent=1, ensure_ascii=False) + "\n"
-    (folder / NUMBERS).write_text(numbers, encoding="utf-8")
-    (folder / PATCH).write_text(patch_text(prepared, tuned), encoding="utf-8")
+    write_text(folder / NUMBERS, numbers)
+    write_text(folder / PATCH, patch_text(prepared, tuned))
 
 
 def patch_text(prepared: Prepared, tuned: Tuned) -> str:
