@@ -222,7 +222,7 @@ def test_a_brake_that_fails_is_seen_in_forward_too(dock, mode, watched, value) -
 def test_past_the_dock_a_vehicle_without_a_brake_is_given_up(dock) -> None:
     """Protects: it turned away, has the dock abaft and is clear of it: its mission is over."""
     dock.stage(e.BACK, e.REVERSE).docking["reason"] = e.TOO_SLOW
-    dock.docking["passing"] = 1
+    dock.docking["passing"], dock.docking["back_to"] = 1, 9.0
     dock.at(5.0, off_deg=60.0).step()
     assert dock.now == e.BACK
     dock.at(-5.0, aside=4.0, off_deg=60.0).step()
