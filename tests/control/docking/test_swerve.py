@@ -68,6 +68,21 @@ def test_a_screw_that_sticks_is_seen_by_its_shaft(ts100, number, heading, at_s) 
     assert at_s < seen < at_s + 6.0
 
 
+@pytest.mark.parametrize("order", [Twin.pause, Twin.surface])
+def test_an_order_to_hold_station_does_not_end_the_turn_away(ts100, order) -> None:
+    """Protects: who sees a screw fail orders a pause or to surface, and neither stops the vehicle."""
+    case = draw_case(800002, "normal", "some")
+    mission = replace(case.mission, faults=(Fault("n_p", 123.83, 0.0, 0.5),))
+    twin = Twin(ts100)
+    twin.start(mission, alter=case)
+    log = new_log(round(131.0 / twin.period_s) + AFTER)
+    n = twin.fly(log[:-AFTER])
+    order(twin)
+    twin.fly(log[n:])
+    assert log["reason"][n - 1] == TOO_SLOW and log["nu"][n - 1, 0] > 0.3
+    assert not hits(log, mission.target).any()
+
+
 def test_a_shaft_that_follows_its_command_is_not_blamed(ts100) -> None:
     """Protects: the watch smooths what a brake's shaft lags behind; no other, and none that is silent."""
     model = build_model(ts100)

@@ -123,6 +123,13 @@ def shape_heading(dt, settings, guidance, psi_d, reference, docking):
 
 
 @jit
+def turn_away(settings, plan, navigation, reference, docking):
+    """Turn the heading reference of a vehicle that holds station and has no brake past the dock."""
+    psi_d = swerve_heading(settings.docking, plan, navigation, docking)
+    shape_heading(settings.dt, settings.docking, settings.guidance, psi_d, reference, docking)
+
+
+@jit
 def guide_docking(dt, settings, plan, s, situation, view, out):
     """Advance the references by the stage. settings: SETTINGS; s: STATE; out: GUIDANCE_OUTPUT, filled."""
     docking, navigation, guidance = s.docking, s.navigation, s.guidance

@@ -14,9 +14,10 @@ from bumpless.control.docking.references import (
     note_lag,
     rest_references,
     smooth_lateral,
+    turn_away,
 )
 from bumpless.control.docking.stages import next_stage, see_line
-from bumpless.control.docking.swerve import note_shafts, note_stop
+from bumpless.control.docking.swerve import note_shafts, note_stop, swerves
 from bumpless.control.docking.trim import note_schedule, note_tilt, trim_gains
 from bumpless.control.docking.waveoff import give_up
 from bumpless.control.guidance.guide import guide
@@ -82,7 +83,11 @@ def refer_docking(settings, plan, s, situation, sway, view, out):
     """References of this cycle: by the stage, or of holding station while paused. out: GUIDANCE_OUTPUT."""
     if situation.holding == 1:
         rest_references(view, s.docking)
+        psi_d = s.guidance.reference[5]
         guide(settings.dt, settings.guidance, plan, s.navigation, situation, sway, s.guidance, out)
+        if swerves(plan, s.navigation, s.docking):  # a pause is no brake either
+            s.guidance.reference[5] = psi_d
+            turn_away(settings, plan, s.navigation, s.guidance.reference, s.docking)
     else:
         guide_docking(settings.dt, settings, plan, s, situation, view, out)
 
