@@ -11,7 +11,7 @@ from bumpless.config.mission import Mission, missions_folder, parse_mission
 from bumpless.config.mission.model import Leg
 from bumpless.config.mission.sea import Environment
 
-DOCKS, NOT_MEANT = "docks", "does not dock"  # what a mission promises; the latter is in its title
+DOCKS, NOT_MEANT, SELDOM = "docks", "does not dock", "seldom docks"  # promises; the latter two are in titles
 FIRST = """
 version: 1
 name: first
@@ -44,7 +44,7 @@ def examples() -> Iterator[Plans]:
     """Every shipped mission with what its title promises."""
     for file in sorted(missions_folder().glob("*.yaml")):
         mission = parse_mission(file.read_text(encoding="utf-8"), file.name)
-        promise = NOT_MEANT if NOT_MEANT in mission.title else DOCKS
+        promise = next((word for word in (NOT_MEANT, SELDOM) if word in mission.title), DOCKS)
         yield Plans(file.stem, promise, partial(_always, mission))
 
 

@@ -76,7 +76,7 @@ def _start(r: np.random.Generator, m: Mission) -> Mission:
 
 
 def _fast(r: np.random.Generator, m: Mission) -> Mission:
-    speed = float(r.uniform(0.6, 1.4))
+    speed = float(r.uniform(0.6, 1.0))
     return replace(m, legs=tuple(replace(leg, speed_mps=speed) for leg in m.legs))
 
 
@@ -97,9 +97,13 @@ def _steep(r: np.random.Generator, m: Mission) -> Mission:
 
 
 def _short(r: np.random.Generator, m: Mission) -> Mission:
-    """Less and more time than it takes, with a turn at the start."""
-    heading = float(r.choice((0.0, 60.0, 120.0, 180.0)))
-    return replace(m, start=replace(m.start, heading_deg=heading), duration_s=float(r.uniform(40.0, 190.0)))
+    """Less and more time than it takes, with a turn at the start; half of them free to turn."""
+    start = replace(m.start, heading_deg=float(r.choice((0.0, 60.0, 120.0, 180.0))))
+    out = replace(m, start=start, duration_s=float(r.uniform(40.0, 260.0)))
+    if r.random() < 0.5:
+        return out
+    fixed = replace(m.target, heading_tolerance_deg=0.0)
+    return replace(out, target=fixed, environment=_current(0.07, 180.0))
 
 
 def _brief(r: np.random.Generator, m: Mission) -> Mission:
