@@ -18,6 +18,17 @@ from bumpless.sim.twin import Twin
 Row = dict[str, Any]
 
 
+class FlightError(RuntimeError):
+    """A flight that could not be flown to its end, which is a fault of the software."""
+
+    def __init__(self, number: int, error: str) -> None:
+        super().__init__(number, error)  # so that it comes back whole from a worker
+
+    def __str__(self) -> str:
+        number, error = self.args
+        return f"flight {number} could not be flown: {error}; `bumpless run FILE --draw {number}` shows where"
+
+
 class Hangar:
     """The twin of one worker thread, and the room for its flights."""
 
@@ -50,12 +61,17 @@ class FlyNumbers:
         self.software = software()
 
     def __call__(self, numbers: Sequence[int]) -> list[Row]:
-        """One row per number."""
+        """One row per number. Raises OtherSoftware, FlightError."""
         if self.software != software():
             raise OtherSoftware(f"{platform.node()} has Bumpless {software()}, this program {self.software}")
         ready()
-        hangar = Hangar()
-        return [fly_number(self.prepared, number, hangar) for number in numbers]
+        hangar, rows = Hangar(), list[Row]()
+        for number in numbers:
+            try:
+                rows.append(fly_number(self.prepared, number, hangar))
+            except Exception as error:
+                raise FlightError(number, f"{type(error).__name__}: {error}") from error
+        return rows
 
 
 def fly_number(prepared: Prepared, number: int, hangar: Hangar) -> Row:

@@ -94,8 +94,8 @@ def opened(folder: Path, prepared: Prepared, resume: bool) -> Iterator[Store]:
 
     Raises StoreError when the folder belongs to another campaign, or holds flights and `resume` is False.
     """
-    (folder / PARTS).mkdir(parents=True, exist_ok=True)
-    with _locked(folder):
+    with locked(folder):
+        (folder / PARTS).mkdir(exist_ok=True)
         _check(folder, prepared.identity(), resume)
         for left in (folder / PARTS).glob("*.part"):
             left.unlink()
@@ -104,15 +104,22 @@ def opened(folder: Path, prepared: Prepared, resume: bool) -> Iterator[Store]:
 
 
 @contextmanager
-def _locked(folder: Path) -> Iterator[None]:
-    if fcntl is None:
-        yield
-        return
-    with (folder / "lock").open("a") as mark:
+def locked(folder: Path) -> Iterator[None]:
+    """Make the folder, and keep every other process out of it until the end.
+
+    Raises StoreError when it can't be written, or another process has it.
+    """
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        mark = (folder / "lock").open("a")
+    except OSError as error:
+        raise StoreError(f"{folder} cannot be written: {error.strerror}; choose another --out") from error
+    with mark:
         try:
-            fcntl.flock(mark, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            if fcntl is not None:
+                fcntl.flock(mark, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except OSError as error:
-            raise StoreError(f"{folder} is in use by another campaign that is running now") from error
+            raise StoreError(f"{folder} is in use by another process that is running now") from error
         yield
 
 
