@@ -16,6 +16,7 @@ from docs.generate.markdown import table
 ROOT = Path(__file__).parents[2]
 FOUND, CAMPAIGNS = ROOT / "results" / "tuning", ROOT / "missions" / "campaigns"
 BEGIN, END = "<!-- tuning:begin -->", "<!-- tuning:end -->"
+SINCE = {"missions": "mission", "parameters": "control"}  # of a search's identity
 SHIPS_WITHIN = 1e-3  # a vehicle's file has four digits of what was found
 
 
@@ -33,7 +34,7 @@ def results() -> str:
     runs = {path.stem: json.loads(path.read_text(encoding="utf-8")) for path in sorted(FOUND.glob("*.json"))}
     files = {name: load_campaign(CAMPAIGNS / f"tune_{name}.yaml") for name in runs}
     searches = table(
-        ["vehicle", "search", "held out", "verdict", "shipped", "control since"],
+        ["vehicle", "search", "held out", "verdict", "shipped", "changed since"],
         [_search(name, run, files[name]) for name, run in runs.items()],
     )
     worth = table(
@@ -54,7 +55,8 @@ def results() -> str:
 
 def _search(name: str, run: dict[str, Any], file: Prepared) -> list[str]:
     flights = run["tuning"][1] - run["tuning"][0] + 1
-    unchanged = identity_of(file)["parameters"] == run["identity"]["parameters"]
+    now = identity_of(file)
+    changed = [word for key, word in SINCE.items() if run["identity"][key] != now[key]]
     return [
         name,
         f"{run['trials']} trials of {flights} flights, campaign seed {run['seed']}, sampler seed "
@@ -62,7 +64,7 @@ def _search(name: str, run: dict[str, Any], file: Prepared) -> list[str]:
         f"{run['held_out'][1] - run['held_out'][0] + 1} flights, look {run['looks']}",
         run["verdict"],
         shipped(run, file.setups[0].parameters),
-        "as it was" if unchanged else "changed",
+        " and ".join(changed) or "nothing",
     ]
 
 

@@ -51,8 +51,10 @@ def test_a_control_that_changed_since_is_told() -> None:
     file = load_campaign(tuning.CAMPAIGNS / "tune_ts100.yaml")
     run = run_of("ts100")
     run["identity"] = identity_of(file)
-    assert tuning._search("ts100", run, file)[-1] == "as it was"
+    assert tuning._search("ts100", run, file)[-1] == "nothing"
     searched = applied(file, {"hover.kp[5]": 31.0})
-    assert tuning._search("ts100", run, searched)[-1] == "as it was"
+    assert tuning._search("ts100", run, searched)[-1] == "nothing"
     other = applied(file, {"hover.ki[5]": 31.0})
-    assert tuning._search("ts100", run, other)[-1] == "changed"
+    assert tuning._search("ts100", run, other)[-1] == "control"
+    run["identity"] = run["identity"] | {"missions": "another"}
+    assert tuning._search("ts100", run, other)[-1] == "mission and control"

@@ -76,9 +76,9 @@ def loaded(file: Path) -> "Prepared":
 
 @contextmanager
 def said_plainly() -> Iterator[None]:
-    """Errors of folder and cluster, and Ctrl-C, as one line and an exit code."""
+    """Errors of folder, disk and cluster, and Ctrl-C, as one line and an exit code."""
     from bumpless.campaign.cluster import ClusterError
-    from bumpless.campaign.flight import FlightError
+    from bumpless.campaign.flight import FlightError, OtherSoftware
     from bumpless.campaign.store import StoreError
 
     again = "what was flown is stored; the same command with --resume goes on"
@@ -87,10 +87,14 @@ def said_plainly() -> Iterator[None]:
     except StoreError as error:
         typer.echo(str(error), err=True)
         raise typer.Exit(REFUSED) from error
+    except OSError as error:
+        said = f"{error.filename}: {error.strerror}" if error.filename else str(error)
+        typer.echo(f"{said}; {again}", err=True)
+        raise typer.Exit(REFUSED) from error
     except FlightError as error:
         typer.echo(f"{error}; {again}", err=True)
         raise typer.Exit(REFUSED) from error
-    except ClusterError as error:
+    except (ClusterError, OtherSoftware) as error:
         typer.echo(f"{error}; {again}", err=True)
         raise typer.Exit(LOST) from error
     except KeyboardInterrupt as error:

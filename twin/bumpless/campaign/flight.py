@@ -1,5 +1,6 @@
 """Fly one number of a campaign and keep one row of it. A worker holds one twin and its room, used again."""
 
+import platform
 from collections.abc import Sequence
 from typing import Any
 
@@ -7,7 +8,7 @@ from bumpless.campaign.drawn import OF_SENSORS, drawn_mission, drawn_vehicle, re
 from bumpless.campaign.figures import figures
 from bumpless.campaign.gathered import Gatherer
 from bumpless.campaign.plant import Alteration
-from bumpless.campaign.prepared import Prepared
+from bumpless.campaign.prepared import Prepared, software
 from bumpless.campaign.ready import ready
 from bumpless.config.parameters import Parameters
 from bumpless.config.vehicle import Vehicle
@@ -44,14 +45,25 @@ class Hangar:
         return self._twin
 
 
+class OtherSoftware(RuntimeError):
+    """A worker would fly something else than who sent it the campaign."""
+
+
 class FlyNumbers:
-    """Flights of a campaign by their numbers: the work of one chunk, picklable."""
+    """Flights of a campaign by their numbers: the work of one chunk, picklable.
+
+    It knows the software it was made by: a flight of another one is none of this campaign. Raises
+    OtherSoftware.
+    """
 
     def __init__(self, prepared: Prepared) -> None:
         self.prepared = prepared
+        self.software = software()
 
     def __call__(self, numbers: Sequence[int]) -> list[Row]:
-        """One row per number. Raises FlightError."""
+        """One row per number. Raises OtherSoftware, FlightError."""
+        if self.software != software():
+            raise OtherSoftware(f"{platform.node()} has Bumpless {software()}, this program {self.software}")
         ready()
         hangar, rows = Hangar(), list[Row]()
         for number in numbers:

@@ -8,7 +8,6 @@ and leaves nothing half written. Only numbers that no part holds are flown again
 """
 
 import json
-import os
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
@@ -18,6 +17,7 @@ from bumpless.campaign.columns import schema_of
 from bumpless.campaign.flight import Row
 from bumpless.campaign.plain import plain
 from bumpless.campaign.prepared import Prepared
+from bumpless.config.whole import whole, write_text
 
 try:
     import fcntl
@@ -55,11 +55,8 @@ class Store:
 
         first, last = rows[0]["number"], rows[-1]["number"]
         path = self.folder / PARTS / f"{first:08d}-{last:08d}.parquet"
-        part = path.with_suffix(".part")
-        pq.write_table(pa.Table.from_pylist(list(rows), self.schema), part)
-        with part.open("rb+") as file:
-            os.fsync(file.fileno())
-        part.replace(path)
+        with whole(path) as part:
+            pq.write_table(pa.Table.from_pylist(list(rows), self.schema), part)
 
     def numbers(self) -> set[int]:
         """Flights that are stored. Raises StoreError when one is stored twice."""
@@ -148,9 +145,7 @@ def _check(folder: Path, identity: dict[str, str], resume: bool) -> None:
 
 def _write_manifest(folder: Path, prepared: Prepared) -> None:
     text = json.dumps(manifest(prepared), indent=1, ensure_ascii=False) + "\n"
-    part = folder / f"{MANIFEST}.part"
-    part.write_text(text, encoding="utf-8")
-    part.replace(folder / MANIFEST)
+    write_text(folder / MANIFEST, text)
 
 
 def manifest(prepared: Prepared) -> dict[str, Any]:

@@ -13,6 +13,7 @@ from bumpless.campaign.summary import Share, share_of
 from bumpless.campaign.tune.score import Quality, quality_of, score_gain, score_interval, score_of
 from bumpless.campaign.tune.study import ERROR, Fly, finished, reference_of
 from bumpless.campaign.tune.values import applied, first, tune_of
+from bumpless.config.whole import write_text
 
 if TYPE_CHECKING:
     from optuna import Study
@@ -140,8 +141,8 @@ def _known(value: Any) -> Any:
 def write(folder: Path, prepared: Prepared, tuned: Tuned) -> None:
     """`parameters.toml`, which `parameters_file` of a campaign takes, and `tune.json`."""
     numbers = json.dumps(tuned.as_dict(), indent=1, ensure_ascii=False, allow_nan=False) + "\n"
-    (folder / NUMBERS).write_text(numbers, encoding="utf-8")
-    (folder / PATCH).write_text(patch_text(prepared, tuned), encoding="utf-8")
+    write_text(folder / NUMBERS, numbers)
+    write_text(folder / PATCH, patch_text(prepared, tuned))
 
 
 def patch_text(prepared: Prepared, tuned: Tuned) -> str:
