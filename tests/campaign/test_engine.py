@@ -92,9 +92,9 @@ def test_a_scheduler_without_workers_is_said(monkeypatch):
     monkeypatch.setattr(cluster_module, "WORKERS_S", 0.1)
     from distributed import LocalCluster
 
-    where: dict[str, Any] = {"protocol": "tcp", "host": "127.0.0.1", "dashboard_address": None}
-    made: Any = LocalCluster(n_workers=0, processes=False, **where)  # pyright takes it for a coroutine
-    with made as empty, pytest.raises(ClusterError, match="no worker has"):
+    dask = {"n_workers": 0, "processes": False, "dashboard_address": None, "host": "127.0.0.1"}
+    empty = LocalCluster(**dask, protocol="tcp")  # type: ignore[arg-type]
+    with empty, pytest.raises(ClusterError, match="no worker has"):
         with opened(empty.scheduler_address):
             pass
 
