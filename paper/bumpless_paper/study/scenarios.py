@@ -126,6 +126,7 @@ _ALL = (
         published=False,
     ),
 )
+WHY_NOT = "published guidance: seldom docks"
 SCENARIOS: dict[str, Scenario] = {s.name: s for s in _ALL}
 
 
@@ -191,7 +192,7 @@ def mission_text(scenario: Scenario) -> str:
     head = {
         "version": 1,
         "name": scenario.file.removesuffix(".yaml"),
-        "title": scenario.title,
+        "title": f"{scenario.title} ({WHY_NOT})",
         "summary": scenario.summary,
         "vehicle": "ts100",
         "duration_s": 72,

@@ -10,12 +10,14 @@ from bumpless.config.mission import Mission
 from bumpless.config.mission.model import Target
 from bumpless.config.parameters import Parameters
 from bumpless.config.vehicle import Vehicle
+from bumpless.control.docking.gates import NOSE_GUARD
 from bumpless.feasibility.finding import HARD, SOFT, Finding, Mend
 from bumpless.feasibility.outline import near_part
 from bumpless.sim.approach import turn_limit_deg
 
 _STEP_M = 0.1
 ROOM_M = 0.3  # least way from the nose in place to the dock's face: an overshoot is stopped within it
+_JOIN_M = 2.0  # before the line begins, in which the vehicle turns on to it
 HULL_M = 0.5  # half width of hull and struts, with a little
 
 
@@ -98,7 +100,8 @@ def _place(target: Target, vehicle: Vehicle) -> Iterator[Finding]:
             f"{vehicle.id}'s nose would stand {before:.2f} m before the dock's face; it needs {ROOM_M:g} m."
         )
         mend = Mend("target.standoff_m", least, f"Stand off {least:g} m")
-        yield Finding(HARD, "standoff_too_short", "target.standoff_m", text, f"Make it {least:g} m.", (mend,))
+        kind = HARD if before < NOSE_GUARD else SOFT
+        yield Finding(kind, "standoff_too_short", "target.standoff_m", text, f"Make it {least:g} m.", (mend,))
     elif not target.turns and target.turn_deg > limit:
         text = (
             f"The approach turns by {limit:.0f}° at most: farther off the dock's axis the nose would come "
@@ -113,13 +116,14 @@ def _way_round(target: Target, parameters: Parameters) -> Iterator[Finding]:
     """Does the approach line begin outside of what is kept clear of the dock?"""
     docking = parameters.docking
     keep, begins = docking.keep_out_m + target.dock_radius_m, docking.entry_distance_m + target.standoff_m
-    if begins >= keep:
+    if begins >= keep + _JOIN_M:
         return
     text = (
         f"The approach line begins {begins:.1f} m before a dock that is passed {keep:.1f} m off: "
         "who doesn't come straight on to it, or waves off, never gets round."
     )
-    field, longer = "parameters.docking.entry_distance_m", float(math.ceil(keep - target.standoff_m + 1.0))
+    field = "parameters.docking.entry_distance_m"
+    longer = float(math.ceil(keep - target.standoff_m + _JOIN_M))
     mend = Mend(field, longer, f"Begin the line {longer:g} m off")
     yield Finding(SOFT, "line_in_keep_out", field, text, f"Set it to {longer:g} m.", (mend,))
 

@@ -23,7 +23,7 @@ _STEADY_MPS = 0.05  # of current from which the bow follows one that hardly chan
 _PER_GUST = 5.0  # m/s of current more for each m/s of deviation of its change
 _DEVIATIONS = 2.0  # of the change, by which it veers
 _SURE = 0.9  # of the crab angle
-_NO_FLOW_MPS = 0.02  # with less, or this many crab angles off the bow, nearly no flight held
+_NO_FLOW_MPS = 0.02  # with less, or this many crab angles off a fixed bow, nearly no flight held
 _FAR_OFF = 2.0
 
 
@@ -53,7 +53,8 @@ def check_long_hover(mission: Mission, vehicle: Vehicle, parameters: Parameters)
         why += f"{math.degrees(off):.0f}°: it {again}"
         into = Mend("target.approach", "into_current", "Approach into the current")
         change, mends = "Let the approach turn into the current.", (into, brief)
-    hopeless = hold > _LONG_S and (flow < _NO_FLOW_MPS or off > _FAR_OFF * borne)
+    fixed = mission.target.turn_deg == 0.0
+    hopeless = fixed and hold > _LONG_S and (flow < _NO_FLOW_MPS or off > _FAR_OFF * borne)
     severity = HARD if hopeless else SOFT
     yield Finding(severity, "long_hover", "end.hover_hold_s", f"{vehicle.id} {why}", change, mends)
 

@@ -12,7 +12,7 @@ from bumpless.config.vehicle import Vehicle
 from bumpless.control.docking.line import approach_speed
 from bumpless.feasibility.finding import HARD, SOFT, Finding, Mend
 from bumpless.feasibility.reach import docking_settings, plain, top_speed
-from bumpless.feasibility.turns import round_time, turns_time
+from bumpless.feasibility.turns import longest_round_time, round_time, turns_time
 from bumpless.metrics.outcome import DOCKED
 from bumpless.physics.model import build_model
 
@@ -137,6 +137,22 @@ def check_time(mission: Mission, vehicle: Vehicle, parameters: Parameters) -> It
     elif total > most:
         text = f"Legs, approach and {hold:g} s of hover take about {total:.0f} s of {most:g} s."
         yield Finding(SOFT, "short_of_time", "duration_s", text, needed, mends)
+    else:
+        around = (f(mission, vehicle, parameters) for f in (longest_round_time, round_time))
+        yield from _any_side(mission, total + next(around) - next(around))
+
+
+def _any_side(mission: Mission, longest: float) -> Iterator[Finding]:
+    """In still water a target that leaves the heading open may have to be approached from any side."""
+    if longest <= mission.duration_s:
+        return
+    allow = math.ceil(longest / 10.0) * 10.0
+    text = (
+        "In hardly any current the vehicle may turn to any heading that the target allows: with the way "
+        f"round it may take {longest:.0f} s of {mission.duration_s:g} s."
+    )
+    mend = Mend("duration_s", allow, f"Allow {allow:.0f} s")
+    yield Finding(SOFT, "short_of_time", "duration_s", text, f"Allow {allow:.0f} s.", (mend,))
 
 
 def check_hold(mission: Mission, parameters: Parameters) -> Iterator[Finding]:

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterator
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -17,6 +18,7 @@ from bumpless.physics.camera import in_view, view_from
 from bumpless.sim.settings import sensors_of
 
 _STEP_M = 0.25
+_DETOUR = 1.2  # of the straight way
 _LEAST_M = 2.5  # before the observation point: seen later, no break-off is late enough
 _LATE_M, _ENOUGH_M = 4.0, 5.0  # a late break-off works in murk more than in clear water; sure to do
 
@@ -53,7 +55,7 @@ def check_sight(mission: Mission, vehicle: Vehicle, parameters: Parameters) -> I
     last = len(mission.legs) - 1
     for i in range(last):
         near = seen_from(mission, vehicle, i)
-        if near is None:
+        if near is None or (parameters.docking.enabled and _leads_on(mission, i)):
             continue
         field = f"legs[{i}].to_ned_m"
         if parameters.docking.enabled:
@@ -65,6 +67,13 @@ def check_sight(mission: Mission, vehicle: Vehicle, parameters: Parameters) -> I
         elif near <= parameters.supervisor.range_fr_lower_m:
             text = f"The target is seen from here, {near:.1f} m away: the {last - i} legs left are skipped."
             yield Finding(SOFT, "legs_skipped", field, text, "Keep this leg farther from the target.")
+
+
+def _leads_on(mission: Mission, leg: int) -> bool:
+    """Whether the legs after this one go on to the target without a detour worth a word."""
+    ways = [math.dist(*pair) for pair in pairwise(mission.path_ned_m[leg + 1 :])]
+    straight = math.dist(mission.path_ned_m[leg + 1], mission.target.observation_point_ned_m)
+    return sum(ways) <= _DETOUR * straight
 
 
 def check_first_sight(mission: Mission, vehicle: Vehicle, parameters: Parameters) -> Iterator[Finding]:

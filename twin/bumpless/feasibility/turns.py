@@ -15,8 +15,11 @@ from bumpless.control.docking.line import place_on_line
 from bumpless.feasibility.outline import near_part
 from bumpless.feasibility.reach import docking_settings, plain
 from bumpless.feasibility.station import station_keeping
+from bumpless.sim.approach import turn_used_deg
 
 _TURNED = 0.89  # of the radius that ways are planned with: what the hull turns with
+_FAINT_MPS = 0.02  # of current: two deviations of what foresight draws turn it to any side
+_EACH_DEG = 30.0  # headings that are tried
 _BACK = 0.8  # of the radius that it is set off a line by a turn, for the way back on to it
 
 
@@ -40,13 +43,32 @@ def turns_time(mission: Mission, parameters: Parameters) -> float:
 def round_time(mission: Mission, vehicle: Vehicle, parameters: Parameters) -> float:
     """Time that the way round to the approach line adds to the last leg, s; 0 where the leg leads on to it.
 
-    Decided as in flight (`control.docking.stages.in_transit`): where the last leg comes near enough.
+    On the heading that the vehicle would take in the mission's current.
     """
     if not parameters.docking.enabled:
         return 0.0
-    settings, target = docking_settings(parameters.docking), mission.target
     current = mission.environment.current_ned_mps
-    heading = math.radians(station_keeping(vehicle, parameters, current, target).chosen_deg)
+    chosen = station_keeping(vehicle, parameters, current, mission.target).chosen_deg
+    return _round_time(mission, parameters, math.radians(chosen))
+
+
+def longest_round_time(mission: Mission, vehicle: Vehicle, parameters: Parameters) -> float:
+    """The same on any heading that a current may call for which the plan, in as good as still water, can't
+    know; as `round_time` where the plan has a current, or the target a heading, s."""
+    known = math.hypot(*mission.environment.current_ned_mps[:2]) > _FAINT_MPS
+    turn = turn_used_deg(mission.target, vehicle)
+    if known or turn == 0.0 or not parameters.docking.enabled:
+        return round_time(mission, vehicle, parameters)
+    given = math.radians(mission.target.heading_deg)
+    steps = math.ceil(turn / _EACH_DEG)
+    off = [math.radians(turn * k / steps) for k in range(-steps, steps + 1)]
+    return max(_round_time(mission, parameters, given + one) for one in off)
+
+
+def _round_time(mission: Mission, parameters: Parameters, heading: float) -> float:
+    """On an approach heading, rad: decided as in flight (`control.docking.stages.in_transit`), where the last
+    leg comes near enough."""
+    settings, target = docking_settings(parameters.docking), mission.target
     point = np.array(target.position_ned_m)
     point[:2] -= target.standoff_m * np.array([math.cos(heading), math.sin(heading)])
     eta, view = _decided(mission, parameters), SimpleNamespace()
