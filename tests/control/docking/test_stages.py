@@ -210,7 +210,7 @@ def test_what_does_not_keep_its_speed_is_waved_off_for_good(dock, left, lag) -> 
     assert dock.now == e.HOLD and dock.mode == e.HOVER
 
 
-@pytest.mark.parametrize(("watched", "value"), [("unbraked", 0.05), ("slip", 1.0), ("slip", -1.0)])
+@pytest.mark.parametrize(("watched", "value"), [("unbraked", 0.05), ("unpushed", 0.08), ("slip", -1.0)])
 @pytest.mark.parametrize("mode", [e.FORWARD, e.REVERSE])
 def test_a_brake_that_fails_is_seen_in_forward_too(dock, mode, watched, value) -> None:
     """Protects: on the line, before and after the switch, a brake without thrust or that sticks waves off."""

@@ -9,6 +9,8 @@ import pytest
 from bumpless.config.mission.model import Fault
 from bumpless.contract.enums import BACK, HOLD, RUNNING, TOO_SLOW
 from bumpless.control.docking.record import DOCKING_SETTINGS, DOCKING_STATE
+from bumpless.control.docking.references import note_brake
+from bumpless.control.docking.surge import surge_drag, surge_mass
 from bumpless.control.docking.swerve import note_shafts, note_stop, swerve_heading, swerves
 from bumpless.control.navigation import NAVIGATION_STATE
 from bumpless.control.plan import PLAN
@@ -43,6 +45,8 @@ def flown(twin: Twin, case: Case, stuck_s: float | None = None) -> np.ndarray:
         (800015, "still", "fixed", 43.75, 0.0),
         (800016, "normal", "into", 109.74, 0.105),
         (800029, "normal", "some", 117.71, 0.17),
+        (810000, "still", "into", 23.48, 0.0),  # it pushes no more, long before braking is asked of it
+        (810093, "normal", "into", 93.99, 0.0),
     ],
 )
 def test_a_screw_that_dies_near_the_switch_leaves_the_dock_whole(
@@ -121,6 +125,21 @@ def test_the_way_to_rest_is_told_by_what_the_brake_has_done(ts100) -> None:
     assert unknown["stops"] > 10.0 > weak["stops"] > 2.0 > sound["stops"] > 0.5
     note_stop(model, -0.1, -0.1, sound)
     assert sound["stops"] == 0.0  # astern it is already
+
+
+@pytest.mark.parametrize(("works", "seen_s"), [(1.0, None), (0.75, None), (0.0, 5.0)])
+def test_a_screw_that_no_longer_pushes_is_seen_by_the_speed(ts100, works, seen_s) -> None:
+    """Protects: commands ahead that make no speed are told from drag and thrust that are a little off."""
+    model, docking = build_model(ts100), record(DOCKING_STATE)
+    u, wanted, seen = 0.5, 0.5, None
+    docking["made"] = u
+    for k in range(200):
+        thrust = 0.83 + 40.0 * (wanted - u)
+        note_brake(0.05, model, thrust, u, u, docking)
+        if seen is None and docking["unpushed"] > max(0.07, -0.5 * docking["braked"]):
+            seen = 0.05 * k
+        u += 0.05 * (works * thrust - surge_drag(model, u)) / surge_mass(model)
+    assert seen is None if seen_s is None else seen is not None and seen < seen_s
 
 
 @pytest.mark.parametrize(("across", "side"), [(0.05, 1), (-0.05, -1)])

@@ -21,6 +21,7 @@ from bumpless.jit import jit
 _NEAR_OFF = 0.35  # rad of heading error that wave off behind the gate
 _FAR_OFF = 0.7  # and anywhere
 _BESIDE = 1e3  # m of room for a nose that is not before the dock
+_UNPUSHED = 0.07  # m/s slower than thrust ahead should have made it: a screw that won't brake either
 NOSE_GUARD = 0.15  # m that the nose keeps before the dock's face
 
 
@@ -106,9 +107,11 @@ def fault_of(dt, settings, view, docking):
 
 @jit
 def is_brake_weak(settings, docking):
-    """Whether the vehicle is faster than commands astern should have left it, or a shaft sticks."""
+    """Whether the vehicle is faster than commands astern should have left it, slower than those ahead should
+    have made it, which is the same screw, or a shaft sticks."""
     share = settings.unbraked_share * docking.braked
-    return docking.unbraked > max(settings.unbraked_most, share) or abs(docking.slip) > SLIP_MOST
+    unbraked = docking.unbraked > max(settings.unbraked_most, share)
+    return unbraked or docking.unpushed > max(_UNPUSHED, -share) or abs(docking.slip) > SLIP_MOST
 
 
 @jit

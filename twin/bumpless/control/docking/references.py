@@ -9,7 +9,7 @@ from bumpless.contract.enums import BACK, CREEP, ENTRY, OFF_HEADING, OVERSHOT, T
 from bumpless.control.docking.creep import creep_references
 from bumpless.control.docking.entry import clear_leg, entry_references, off_the_way
 from bumpless.control.docking.line import line_references
-from bumpless.control.docking.surge import SURE_DRAG, T_MADE, surge_drag, surge_mass
+from bumpless.control.docking.surge import MOST_DRAG, SURE_DRAG, T_MADE, surge_drag, surge_mass
 from bumpless.control.docking.swerve import swerve_heading, swerves
 from bumpless.control.guidance.guide import approach
 from bumpless.control.guidance.path import follow_path
@@ -176,12 +176,15 @@ def note_brake(dt, model, thrust, u, u_r, docking):
 
     made' = (thrust - drag(u_r)) / (m - X_u') + (u - made) / T, so that what is off by a little for good
     counts for little; `braked` is the part of thrust astern in it, of which a weak brake lacks a share. A
-    brake that is weak shows here before it shows in the speed: the PID asks for more at first.
+    brake that is weak shows here before it shows in the speed: the PID asks for more at first. `unpushed` is
+    the same the other way: slower than thrust ahead should have made of it.
     """
-    pull = (thrust - SURE_DRAG * surge_drag(model, u_r)) / surge_mass(model)
+    drag = surge_drag(model, u_r) / surge_mass(model)
+    pull = thrust / surge_mass(model) - SURE_DRAG * drag
     docking.made += dt * (pull + (u - docking.made) / T_MADE)
     docking.braked -= dt * (thrust / surge_mass(model) + docking.braked / T_MADE)
     docking.unbraked += lag(dt, _T_UNBRAKED) * (u - docking.made - docking.unbraked)
+    docking.unpushed = -docking.unbraked - (MOST_DRAG - SURE_DRAG) * drag * T_MADE
 
 
 @jit

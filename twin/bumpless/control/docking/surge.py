@@ -3,7 +3,8 @@
 from bumpless.jit import inline
 
 T_MADE = 3.0  # s, of the speed that commands should have made
-SURE_DRAG = 0.75  # of the hull: with less than this no brake is blamed
+SURE_DRAG = 0.75  # of the hull: with less than this no brake is blamed,
+MOST_DRAG = 1.3  # and with more no screw for a lack of thrust ahead
 
 
 @inline
