@@ -32,7 +32,8 @@ def check_legs(mission: Mission, vehicle: Vehicle, parameters: Parameters) -> It
             text = f"{leg.speed_mps:g} m/s is faster than {vehicle.id} can be: {fastest:.2f} m/s."
             slower = math.floor(10.0 * fastest) / 10.0
             mend = Mend(field, slower, f"Fly it at {slower:g} m/s")
-            yield Finding(HARD, "leg_too_fast", field, text, f"Fly it at {slower:g} m/s or slower.", (mend,))
+            kind = SOFT if leg.speed_mps <= fastest + _borne_lag(parameters) else HARD
+            yield Finding(kind, "leg_too_fast", field, text, f"Fly it at {slower:g} m/s or slower.", (mend,))
             continue
         if leg_speed(mission, i) <= 0.02:
             text = "The current sets it off the leg faster than it can make good."
@@ -42,6 +43,11 @@ def check_legs(mission: Mission, vehicle: Vehicle, parameters: Parameters) -> It
             text = "The current comes so much from abeam that it may fly beside the leg by some metres."
             yield Finding(SOFT, "leg_drifted_off", field, text, "Fly it faster, or along another way.")
         yield from _depth(mission, i, start, end, parameters)
+
+
+def _borne_lag(parameters: Parameters) -> float:
+    """By how much a vehicle may stay behind the speed of its leg, m/s, and not give up as too slow in F."""
+    return 2.0 * parameters.docking.lag_most_mps if parameters.docking.enabled else 0.0
 
 
 def leg_speed(mission: Mission, i: int) -> float:
