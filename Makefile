@@ -117,6 +117,9 @@ results: $(DONE)/compiled  ## fly the outcomes, reproduce the paper and renew do
 	$(BIN)/bumpless reproduce --out build/reproduce $(ARGS)
 	@$(PY) -m bumpless_paper.results_page build/reproduce/reproduce.json
 
+fair: $(DONE)/compiled  ## search the gains that S2, S3 and S4 are compared with (ARGS="hard"); make results flies them
+	@$(PY) -m bumpless_paper.study.fair $(ARGS)
+
 docs: $(DONE)/build  ## build the docs, which the server shows as Help
 	@$(PY) docs/build.py
 	@echo "Built: server/bumpless_server/help/index.html (open it, or /help/ of a running server)"

@@ -32,6 +32,7 @@ function compressed(): Plugin {
 // Relative asset paths: the server may mount the console anywhere on its origin.
 export default defineConfig({
   base: "./",
+  logLevel: "warn", // a first start shows what matters; sizes are a test's matter
   plugins: [compressed()],
   oxc: { jsx: { runtime: "automatic", importSource: "preact" } },
   build: {
@@ -40,7 +41,8 @@ export default defineConfig({
     emptyOutDir: true,
     assetsInlineLimit: 0,
     sourcemap: false,
-    rolldownOptions: { input: ["index.html", "login.html"] },
+    chunkSizeWarningLimit: 600,
+    rolldownOptions: { input: ["index.html", "login.html"], checks: { pluginTimings: false } },
   },
   test: { include: ["src/**/*.test.ts"], css: true },
   server: {

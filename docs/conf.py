@@ -27,4 +27,5 @@ html_show_sourcelink = False
 html_copy_source = False
 html_use_index = False
 html_show_sphinx = False
+html_show_copyright = False
 html_favicon = "../console_web/public/favicon.svg"

@@ -29,6 +29,7 @@ from websockets.typing import Origin, Subprotocol
 
 from bumpless.config.mission import missions_folder
 from bumpless.contract import bumpless_pb2 as pb
+from tests.ports import free_port
 
 ROOT = Path(__file__).parents[2]
 OVER = (pb.MISSION_PHASE_IDLE, pb.MISSION_PHASE_COMPLETED, pb.MISSION_PHASE_ABORTED)
@@ -66,14 +67,6 @@ async def server(data: str, scene: str) -> AsyncIterator[tuple[asyncio.subproces
         with contextlib.suppress(ProcessLookupError):
             process.terminate()
         await process.wait()
-
-
-def free_port() -> int:
-    """A TCP port that nobody listens on now."""
-    import socket
-
-    with socket.create_server(("127.0.0.1", 0)) as listener:
-        return listener.getsockname()[1]
 
 
 async def stream(address: str, cookie: str, seen: Seen) -> None:

@@ -8,11 +8,13 @@ from typing import Any
 
 import pytest
 
+from bumpless.campaign import cluster as cluster_module
 from bumpless.campaign.cluster import ClusterError, opened
 from bumpless.campaign.engine import answers, in_chunks, in_order
-from bumpless.campaign.flight import FlyNumbers
+from bumpless.campaign.flight import FlyNumbers, OtherSoftware
 from bumpless.campaign.fly import fly_missing
 from bumpless.campaign.store import opened as store
+from tests.ports import free_port
 
 
 def test_chunks_hold_every_item_once_in_order():
@@ -74,3 +76,34 @@ def test_no_scheduler_there():
     """Protects: a wrong --dask is said in a line."""
     with pytest.raises(ClusterError, match="no Dask scheduler answers at nowhere"), opened("nowhere://x"):
         pass
+
+
+def test_nobody_at_the_address_is_said_at_once():
+    """Protects: a refused connection was tried again for ten seconds, and nonsense was a traceback."""
+    with pytest.raises(ClusterError, match="Connection refused"), opened(f"tcp://127.0.0.1:{free_port()}"):
+        pass
+    for nonsense in ("nonsense", "http://127.0.0.1:80", "tcp://host", ""):
+        with pytest.raises(ClusterError, match="must be tcp://HOST:PORT"), opened(nonsense):
+            pass
+
+
+def test_a_scheduler_without_workers_is_said(monkeypatch):
+    """Protects: a campaign waited for ever, at 0 of its flights, for workers that nobody had started."""
+    monkeypatch.setattr(cluster_module, "WORKERS_S", 0.1)
+    from distributed import LocalCluster
+
+    dask = {"n_workers": 0, "processes": False, "dashboard_address": None, "host": "127.0.0.1"}
+    with LocalCluster(**dask, protocol="tcp") as empty, pytest.raises(ClusterError, match="no worker has"):  # type: ignore[arg-type]
+        with opened(empty.scheduler_address):
+            pass
+
+
+def test_another_software_flies_nothing(campaign, cluster, monkeypatch):
+    """Protects: workers of another version flew other flights, which were stored as this campaign's."""
+    work = FlyNumbers(campaign(2))
+    work.software = "0.0 of another state"
+    with pytest.raises(OtherSoftware, match=r"this program 0\.0 of another state"):
+        list(answers(cluster, work, {0: [0, 1]}))
+    monkeypatch.setattr(cluster_module, "software", os.getpid)  # another on each
+    with pytest.raises(ClusterError, match="install on the workers what runs here"):
+        cluster_module._compare_software(cluster)

@@ -96,6 +96,57 @@ BAD = {
         "seed: 1\ntune: {trials: 2, held_out: 2, search: {hover.lambda: {low: 2, high: 1}}}",
         "must have low < high",
     ),
+    "search of a word": (
+        "seed: 1",
+        "seed: 1\ntune: {trials: 2, held_out: 2, search: {allocation.allocator: {low: 1, high: 2}}}",
+        "allocation.allocator must be one of",
+    ),
+    "search of a switch": (
+        "seed: 1",
+        "seed: 1\ntune: {trials: 2, held_out: 2, search: {bumpless.ramp: {low: 0, high: 1}}}",
+        "bumpless.ramp must be true or false",
+    ),
+    "search of a whole row": (
+        "seed: 1",
+        "seed: 1\ntune: {trials: 2, held_out: 2, search: {hover.kp: {low: 1, high: 2}}}",
+        "hover.kp must be a list",
+    ),
+    "search with a slip": (
+        "seed: 1",
+        "seed: 1\ntune: {trials: 2, held_out: 2, search: {hover.lamda: {low: 1, high: 2}}}",
+        "no such parameter; did you mean hover.lambda?",
+    ),
+    "search between whole numbers": (
+        "seed: 1",
+        "seed: 1\ntune: {trials: 2, held_out: 2, search: {hover.ramp_cycles: {low: 10.5, high: 90}}}",
+        "must have whole numbers",
+    ),
+    "search by factors from none": (
+        "seed: 1",
+        "seed: 1\ntune: {trials: 2, held_out: 2, search: {hover.ramp_cycles: {low: 0, high: 90, log: true}}}",
+        "must have 0 < low < high",
+    ),
+    "search that leaves out where it begins": (
+        "seed: 1",
+        'seed: 1\ntune: {trials: 2, held_out: 2, search: {"hover.kp[5]": {low: 1, high: 2}}}',
+        "must be between low and high, 1 and 2, where the search begins",
+    ),
+    "start beyond its bounds": (
+        "seed: 1",
+        'seed: 1\ntune: {trials: 2, held_out: 2, search: {"hover.kp[5]": {low: 1, high: 2, start: 3}}}',
+        "must be between low and high, 1 and 2, where the search begins",
+    ),
+    "start that fits nothing": (
+        "seed: 1",
+        "seed: 1\ntune: {trials: 2, held_out: 2, search: {supervisor.range_rh_lower_m: {low: 0.1, high: 1.4,"
+        " start: 1.2}, supervisor.range_rh_upper_m: {low: 0.6, high: 3, start: 1.1}}}",
+        "begins where supervisor.range_rh_upper_m must be greater",
+    ),
+    "no trials": (
+        "seed: 1",
+        "seed: 1\ntune: {trials: 0, held_out: 2, search: {hover.lambda: {low: 0.001, high: 1}}}",
+        "tune.trials",
+    ),
 }
 
 

@@ -7,6 +7,13 @@ from bumpless.campaign.fly import fly_missing
 from bumpless.campaign.store import PARTS, StoreError, opened
 
 
+def test_a_folder_that_cannot_be_made_is_said(tmp_path, campaign):
+    """Protects: --out below a file, or where nothing may be written, is a line and not a traceback."""
+    (tmp_path / "file").write_text("")
+    with pytest.raises(StoreError, match="cannot be written: Not a directory"):
+        opened(tmp_path / "file" / "out", campaign(2), False).__enter__()
+
+
 def test_resume_flies_exactly_what_is_missing(campaign, cluster, tmp_path):
     """Protects: a part that is there is not touched, every number is there once, rows are those of one go."""
     prepared = campaign(9)

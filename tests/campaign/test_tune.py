@@ -1,17 +1,21 @@
 """The search for parameters."""
 
+import json
+import pickle
 import tomllib
 from dataclasses import replace
 
 import pytest
 
+from bumpless.campaign import flight
 from bumpless.campaign.declaration import Weights
 from bumpless.campaign.figures import TRACKING
-from bumpless.campaign.flight import FlyNumbers
+from bumpless.campaign.flight import FlightError, FlyNumbers
 from bumpless.campaign.prepared import Prepared
 from bumpless.campaign.store import StoreError
-from bumpless.campaign.tune import result, study
-from bumpless.campaign.tune.score import Quality, score_of
+from bumpless.campaign.tune import journal, result, study
+from bumpless.campaign.tune.score import Quality, score_gain, score_of
+from bumpless.campaign.tune.values import applied, first
 
 TUNE = """tune:
   trials: 14
@@ -50,9 +54,9 @@ def toy(campaign):
 
 def searched(folder, prepared, toy, resume=False):
     """Search to the end and judge."""
-    found = study.opened(folder, prepared, resume)
-    study.search(found, prepared, toy)
-    return found, result.judge(found, prepared, toy)
+    with journal.opened(folder, prepared, resume) as found:
+        study.search(found, prepared, toy)
+        return found, result.judge(found, prepared, toy)
 
 
 def test_the_search_improves(toy, tmp_path):
@@ -66,11 +70,11 @@ def test_the_search_improves(toy, tmp_path):
 def test_trials_never_see_the_held_out_flights(toy, tmp_path):
     """Protects: the held-out share is an honest estimate; the flights of trials and of judging share none."""
     fly = Toy()
-    found = study.opened(tmp_path, toy, False)
-    study.search(found, toy, fly)
-    assert set(fly.flown) == set(range(10))
-    fly.flown.clear()
-    tuned = result.judge(found, toy, fly)
+    with journal.opened(tmp_path, toy, False) as found:
+        study.search(found, toy, fly)
+        assert set(fly.flown) == set(range(10))
+        fly.flown.clear()
+        tuned = result.judge(found, toy, fly)
     assert sorted(set(fly.flown)) == list(result.held_out_numbers(toy)) == list(range(10, 15))
     assert (tuned.tuning, tuned.held_out, tuned.looks) == ((0, 9), (10, 14), 1)
 
@@ -86,6 +90,7 @@ def test_looks_at_the_held_out_flights_are_counted(toy, tmp_path):
     longer = Prepared(replace(toy.campaign, tune=tune), toy.setups)
     _, tuned = searched(tmp_path, longer, fly, True)
     assert tuned.looks == (1 if tuned.trial < 14 else 2)
+    assert searched(tmp_path / "straight", longer, Toy())[1].values == tuned.values
 
 
 def test_a_killed_search_goes_on_as_if_nothing_had_happened(toy, tmp_path):
@@ -101,7 +106,7 @@ def test_a_killed_search_goes_on_as_if_nothing_had_happened(toy, tmp_path):
     with pytest.raises(KeyboardInterrupt):
         searched(tmp_path / "cut", toy, Killed())
     cut, again = searched(tmp_path / "cut", toy, Toy(), True)
-    assert again.values == tuned.values
+    assert again == tuned
     steps = [[t.params for t in s.trials if t.state.name != "FAIL"] for s in (whole, cut)]
     assert steps[0] == steps[1]
     assert len(cut.trials) == len(whole.trials) + 1
@@ -119,10 +124,157 @@ def test_hopeless_trials_are_given_up(toy, tmp_path):
 def test_another_search_is_refused(toy, campaign, tmp_path):
     """Protects: trials of two different searches are not mixed."""
     searched(tmp_path, toy, Toy())
-    with pytest.raises(StoreError, match="go on with --resume"):
-        study.opened(tmp_path, toy, False)
-    with pytest.raises(StoreError, match="another campaign"):
-        study.opened(tmp_path, campaign(11, TUNE), True)
+    renamed = Prepared(replace(toy.campaign, name="other"), toy.setups)
+    for prepared, resume, said in (
+        (toy, False, "go on with --resume"),
+        (campaign(11, TUNE), True, "the campaign's declaration"),
+        (campaign(10, TUNE.replace("low: 1,", "low: 2,")), True, "what is searched"),
+        (renamed, True, "the campaign's name"),
+    ):
+        with pytest.raises(StoreError, match=said), journal.opened(tmp_path, prepared, resume):
+            pass
+
+
+def test_one_process_searches_in_a_folder(toy, tmp_path):
+    """Protects: a second `--resume` beside one that runs doubles no trial."""
+    with journal.opened(tmp_path, toy, False), pytest.raises(StoreError, match="another process"):
+        journal.opened(tmp_path, toy, True).__enter__()
+
+
+def test_a_killed_process_leaves_nothing_that_stops_the_next(toy, tmp_path):
+    """Protects: the lock of a process that is no more and half a line are cleared away; all trials stay."""
+    _, whole = searched(tmp_path, toy, Toy())
+    (tmp_path / "study.journal.lock").symlink_to(tmp_path / "study.journal")
+    with (tmp_path / "study.journal").open("a") as file:
+        file.write('{"op_code":4,"study')
+    fly = Toy()
+    assert searched(tmp_path, toy, fly, True)[1] == whole
+    assert not fly.flown
+
+
+@pytest.mark.parametrize("text", ["no journal\n{}\n", '{"op_code": 99}\n'])
+def test_what_is_no_journal_is_refused(toy, tmp_path, text):
+    """Protects: a damaged or foreign file is told by its name."""
+    (tmp_path / "study.journal").write_text(text)
+    with pytest.raises(StoreError, match=r"study\.journal cannot be read"):
+        journal.opened(tmp_path, toy, True).__enter__()
+
+
+def test_a_search_that_finds_nothing_says_so(campaign, tmp_path):
+    """Protects: "keep what you have" is an answer, and flights are not flown twice to find no difference."""
+    good = campaign(10, TUNE + "parameters: {hover: {kp: [1, 1, 1, 1, 1, 30], ramp_cycles: 40}}\n")
+    fly = Toy()
+    _, tuned = searched(tmp_path, good, fly)
+    assert (tuned.trial, tuned.verdict) == (0, "nothing better found")
+    assert tuned.before == tuned.after and tuned.values == tuned.present
+    assert len([number for number in fly.flown if number >= 10]) == 5
+
+
+def test_a_trial_that_cannot_be_flown_costs_that_trial_only(toy, tmp_path):
+    """Protects: one flight that crashes ends no search of hours; it is said, and a resumed one agrees."""
+
+    class Crashing(Toy):
+        def __call__(self, prepared, numbers):
+            if prepared.setups[0].parameters.hover.kp[5] < 20.0:
+                raise FlightError(numbers[0], "FloatingPointError: no number")
+            return super().__call__(prepared, numbers)
+
+    found, tuned = searched(tmp_path, toy, Crashing())
+    failed = [t for t in found.trials if t.state.name == "FAIL"]
+    assert failed and len(tuned.failed) == len(failed)
+    assert "flight 0 could not be flown: FloatingPointError: no number" in tuned.failed[0]
+    assert tuned.trials == 14
+    assert searched(tmp_path, toy, Crashing(), True)[1] == tuned
+
+
+def test_a_first_trial_that_cannot_be_flown_ends_the_search(toy, tmp_path):
+    """Protects: without a beginning there is nothing to be better than."""
+
+    def crash(prepared, numbers):
+        raise FlightError(numbers[0], "boom")
+
+    with pytest.raises(FlightError, match="flight 0 could not be flown: boom"):
+        searched(tmp_path, toy, crash)
+    assert searched(tmp_path, toy, Toy(), True)[1] == searched(tmp_path / "new", toy, Toy())[1]
+
+
+def test_parameters_that_do_not_fit_each_other_are_never_flown(campaign, tmp_path):
+    """Protects: what is found can be flown: bounds that overlap cost trials, not a file that is refused."""
+    wild = """tune:
+  trials: 12
+  held_out: 2
+  search:
+    supervisor.range_rh_lower_m: {low: 0.1, high: 1.4}
+    supervisor.range_rh_upper_m: {low: 0.6, high: 3}
+"""
+    flown = []
+
+    class Fits(Toy):
+        def __call__(self, prepared, numbers):
+            flown.append(prepared.setups[0].parameters.supervisor)
+            return super().__call__(prepared, numbers)
+
+    _, tuned = searched(tmp_path, campaign(4, wild), Fits())
+    assert all(s.range_rh_lower_m < s.range_rh_upper_m for s in flown)
+    assert any("must be greater than range_rh_lower_m" in why for why in tuned.failed)
+
+
+def test_a_search_begins_where_its_file_says(campaign, tmp_path):
+    """Protects: once its gains ship, a search can still be done again from where it began."""
+    declared = TUNE.replace("high: 100, log: true", "high: 100, log: true, start: 90")
+    old, new = (
+        campaign(10, declared + f"parameters: {{hover: {{kp: [1, 1, 1, 1, 1, {now}]}}}}\n")
+        for now in (90, 31)
+    )
+    assert first(new)["hover.kp[5]"] == 90.0
+    same = ("tune", "parameters")  # where it begins is the same; what is flown otherwise may differ
+    assert all(journal.identity_of(old)[key] == journal.identity_of(new)[key] for key in same)
+    assert (
+        searched(tmp_path / "new", new, Toy())[1].values == searched(tmp_path / "old", old, Toy())[1].values
+    )
+
+
+def test_each_mission_keeps_what_is_not_searched(toy):
+    """Protects: of a row, one number is searched; the others stay each mission's own."""
+    setup = toy.setups[0]
+    other = replace(setup, parameters=study_row(setup.parameters, [2, 2, 2, 2, 2, 2]))
+    two = Prepared(toy.campaign, (setup, other))
+    found = [s.parameters.hover.kp for s in applied(two, {"hover.kp[5]": 9.0}).setups]
+    assert found == [(1, 1, 1, 1, 1, 9), (2, 2, 2, 2, 2, 9)]
+
+
+def study_row(parameters, row):
+    """The same with another row of hover gains."""
+    return replace(parameters, hover=replace(parameters.hover, kp=tuple(row)))
+
+
+def test_a_flight_that_crashes_is_told_by_its_number(campaign, monkeypatch):
+    """Protects: a worker's error says which flight to look at, also when it comes from another process."""
+    monkeypatch.setattr(flight, "fly_number", lambda *_: 1 / 0)
+    with pytest.raises(FlightError, match="flight 3 could not be flown: ZeroDivisionError") as told:
+        FlyNumbers(campaign(6))([3, 4])
+    assert str(pickle.loads(pickle.dumps(told.value))) == str(told.value)
+
+
+def test_numbers_never_known_are_null(toy, tmp_path):
+    """Protects: tune.json is JSON also when no flight ever reached a mode."""
+    _, tuned = searched(tmp_path, toy, Toy())
+    lost = replace(tuned, after=replace(tuned.after, quality=Quality(float("nan"), 1.0, 1.0)))
+    result.write(tmp_path, toy, lost)
+    assert json.loads((tmp_path / "tune.json").read_text())["after"]["quality"]["tracking"] is None
+
+
+def test_the_gain_is_told_flight_by_flight():
+    """Protects: what is better on each flight is clearly better, though the flights differ widely."""
+    one = Quality(1.0, 1.0, 1.0)
+
+    def rows(figure):
+        of = dict.fromkeys((*TRACKING, "largest_step", "energy_j"))
+        return [{"outcome": "held" if k % 3 else "docked", **dict.fromkeys(of, figure)} for k in range(30)]
+
+    low, high = score_gain(rows(1.0), rows(0.9), Weights(), one)
+    assert 0.0 < low <= high < 0.1
+    assert score_gain(rows(1.0), rows(1.0), Weights(), one) == (0.0, 0.0)
 
 
 def test_endings_come_first():

@@ -11,7 +11,8 @@ from bumpless_server.settings import Settings
 from tests.console import flight
 from tests.console.contract_server import ContractServer
 from tests.console.replies import default_replies
-from tests.server.serving import Running, free_port, serving
+from tests.ports import free_port
+from tests.server.serving import Running, serving
 
 ROOT = Path(__file__).resolve().parents[2]
 PATIENCE_MS = 30_000  # a busy machine is no failure

@@ -20,7 +20,8 @@ from playwright.sync_api import Browser, Page, expect, sync_playwright
 import bumpless
 from bumpless_server.settings import Settings
 from tests.conftest import CHROMIUM_FLAGS, CHROMIUM_NAMES
-from tests.server.serving import Running, free_port, serving
+from tests.ports import free_port
+from tests.server.serving import Running, serving
 
 ROOT = Path(__file__).resolve().parents[2]
 FOLDER = ROOT / "docs" / "pictures"

@@ -11,7 +11,7 @@ from tests.server.serving import Running
 
 # Views, each with something that is there once it is.
 VIEWS = {
-    "Live": "Plots",
+    "Live": "Events",
     "Missions": "Start this mission",
     "Mode weights": "Revert all",
     "Runs": "Compare",

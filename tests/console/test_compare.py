@@ -9,7 +9,8 @@ from playwright.sync_api import Page, expect
 
 import bumpless
 from bumpless_server.settings import Settings
-from tests.server.serving import Running, free_port, serving
+from tests.ports import free_port
+from tests.server.serving import Running, serving
 
 MISSION = Path(__file__).parents[2] / "missions" / "docking.yaml"
 ONE, OTHER = "20260101T000000Z-docking-ab12", "20260102T000000Z-docking-cd34"

@@ -11,7 +11,8 @@ from playwright.sync_api import Browser, Page, expect
 import bumpless
 from bumpless_server.settings import Settings
 from tests.console.conftest import show
-from tests.server.serving import Running, free_port, serving
+from tests.ports import free_port
+from tests.server.serving import Running, serving
 
 ROOT = Path(__file__).parents[2]
 COMPILES_MS = 600_000  # patience with a machine that has never compiled the control cycle

@@ -120,16 +120,20 @@ def test_a_run_that_cannot_be_recorded_is_told_at_once(console: Page, server: Co
 def test_a_lost_server_is_a_banner_and_the_page_comes_back_by_itself(
     console: Page, server: ContractServer
 ) -> None:
-    """Protects the restart of a server under an open page."""
+    """Protects the restart of a server under an open page, whose scene stayed a browser's fault page."""
     banner = console.get_by_role("alert").filter(has_text="Connection to the server lost")
+    scene = console.get_by_title("3-D scene of vehicle, path and target")
     server.stop()
     expect(banner).to_be_visible()
+    scene.evaluate("one => one.setAttribute('src', one.getAttribute('src'))")
+    console.wait_for_function("document.querySelector('iframe').contentDocument === null")
     expect(console.get_by_label("State", exact=True).locator(".panel-body")).to_have_attribute(
         "data-state", "stale"
     )
     server.start()
     expect(banner).to_have_count(0)
     expect(console.get_by_label("Link: Live")).to_be_visible()
+    console.wait_for_function("document.querySelector('iframe').contentDocument?.title === 'scene'")
 
 
 def test_plots_keep_what_they_have_over_a_reconnect(console: Page, server: ContractServer) -> None:

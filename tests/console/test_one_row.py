@@ -71,6 +71,29 @@ def test_no_view_lays_something_over_the_bars(console: Page, server: ContractSer
         assert console.evaluate(ON_TOP) == [], view
 
 
+def alarms(*priorities: int) -> pb.Alarms:
+    """One of each, none seen."""
+    return pb.Alarms(
+        alarms=[
+            pb.Alarm(id=str(k), code=str(k), priority=priority, text="something", raised_ns=flight.START_NS)
+            for k, priority in enumerate(priorities)
+        ]
+    )
+
+
+def test_the_header_stays_one_row_when_all_is_lost(console: Page, server: ContractServer) -> None:
+    """Protects the views from a second row in the moment in which they matter most."""
+    console.set_viewport_size({"width": 1024, "height": 768})
+    server.keep_saying([*WORST, ("server/alarms", alarms(1, 1, 2, 2, 3, 3))])
+    header = console.get_by_role("banner")
+    expect(header).to_contain_text(re.compile(r"\b105\b"))
+    server.stop()
+    expect(header).to_contain_text("Server lost")
+    expect(header.get_by_title("Not known: the server does not answer")).to_be_visible()
+    assert header.evaluate("one => one.getBoundingClientRect().height") < ROW_PX
+    server.start()
+
+
 def test_the_header_is_one_row_at_a_tablet_s_width(console: Page, server: ContractServer) -> None:
     """Protects the time with its zone, which was left out there, and the views below from a second row."""
     console.set_viewport_size({"width": 1024, "height": 768})

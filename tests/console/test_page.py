@@ -63,10 +63,12 @@ def test_without_a_vehicle_each_view_says_what_to_do(page: Page, bare: ContractS
 def test_the_theme_follows_the_system_until_chosen_and_is_kept(
     browser: Browser, server: ContractServer
 ) -> None:
-    """Protects the operator's choice over a reload."""
-    page = browser.new_page(color_scheme="light")
+    """Protects the operator's choice over a reload, and a page that is open when the evening comes."""
+    page = browser.new_page(color_scheme="dark")
     page.goto(server.url)
     root = page.locator("html")
+    expect(root).to_have_attribute("data-theme", "dark")
+    page.emulate_media(color_scheme="light")
     expect(root).to_have_attribute("data-theme", "light")
     page.get_by_role("button", name="Switch to the dark theme").click()
     page.reload()

@@ -11,7 +11,8 @@ import bumpless
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless_server.settings import Settings
 from tests.pieces import in_pieces
-from tests.server.serving import Running, free_port, serving
+from tests.ports import free_port
+from tests.server.serving import Running, serving
 
 MISSION = Path(__file__).parents[2] / "missions" / "docking.yaml"
 RUN = "20260101T000000Z-docking-ab12"

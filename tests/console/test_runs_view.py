@@ -219,3 +219,11 @@ def test_a_view_is_kept_for_all_and_forgotten_with_a_way_back(console: Page, ser
     console.keyboard.press("Escape")
     expect(menu).to_have_count(0)
     expect(console.get_by_role("button", name="View: Sea")).to_be_focused()
+
+
+def test_a_link_to_what_is_gone_says_so(console: Page) -> None:
+    """Protects from an old link that showed another run, or another mission, as if it were the one."""
+    console.evaluate("location.hash = '#/runs/gone'")
+    expect(console.get_by_label("Run", exact=True)).to_contain_text("There is no run gone here")
+    console.evaluate("location.hash = '#/missions/gone'")
+    expect(console.get_by_role("region", name="Missions")).to_contain_text("There is no mission gone here")

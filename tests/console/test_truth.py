@@ -219,6 +219,24 @@ def test_nothing_is_covered_on_a_narrow_screen_or_magnified(
     expect(link).to_be_in_viewport(ratio=1)
 
 
+def test_before_a_first_flight_no_panel_lies_over_another_at_200_percent(
+    console: Page, server: ContractServer
+) -> None:
+    """Protects the first screen there is, magnified: beside the first steps all panels shared one row."""
+    console.set_viewport_size({"width": 720, "height": 450})
+    server.keep_saying(flight.hello())
+    expect(console.get_by_role("region", name="First steps")).to_be_visible()
+    covered = console.evaluate(
+        """() => [...document.querySelectorAll('.live .panel, .first-steps article')]
+            .map(e => [e.getAttribute('aria-label'), e.getBoundingClientRect()])
+            .filter(([, box]) => box.height > 1)
+            .flatMap(([name, a], i, all) => all.slice(i + 1)
+                .filter(([, b]) => Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 1)
+                .map(([other]) => name + ' over ' + other))"""
+    )
+    assert covered == []
+
+
 @pytest.mark.parametrize("theme", ["dark", "light"])
 def test_last_known_values_stay_readable(console: Page, server: ContractServer, theme: str) -> None:
     """Protects what is needed most when nothing new comes: it faded to a contrast of 1.8 to 1."""

@@ -10,7 +10,8 @@ from typing import Any
 from bumpless_server.access.accounts import Accounts
 from bumpless_server.access.who import Role
 from bumpless_server.settings import Settings
-from tests.server.serving import FAKE, Running, free_port, serving
+from tests.ports import free_port
+from tests.server.serving import FAKE, Running, serving
 
 PASSWORD = "not a secret: a test"
 

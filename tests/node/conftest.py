@@ -5,7 +5,8 @@ from collections.abc import Iterator
 
 import pytest
 
-from tests.node.listening import Listener, free_port, light_node, listening
+from tests.node.listening import Listener, light_node, listening
+from tests.ports import free_port
 
 
 @pytest.fixture

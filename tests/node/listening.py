@@ -3,7 +3,6 @@
 import os
 import secrets
 import signal
-import socket
 import subprocess
 import sys
 import threading
@@ -23,13 +22,6 @@ from bumpless.node.session import node_config
 
 ROOT = Path(__file__).parents[2]
 PATIENCE_S = 60.0  # for what must come; nothing is measured by it
-
-
-def free_port() -> int:
-    """A port of loopback that nobody listens on."""
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return probe.getsockname()[1]
 
 
 class Listener:
@@ -74,6 +66,11 @@ class Listener:
     def until_alive(self, count: int = 1) -> None:
         """Wait until the vehicle has come to life `count` times."""
         self.until(lambda: sum(self.alive) >= count)
+
+    def until_all_said(self) -> None:
+        """Wait until all that happened in the vehicle so far has been heard: a reply overtakes its events."""
+        now = time.time_ns()
+        self.until(lambda: any(m.stamp.time_ns > now for m in self.of("tlm/navigation")[-1:]))
 
     def ask(self, verb: str, request: Any = None, **header: Any) -> pb.CommandReply:
         """Send a command with an id of its own and a minute's time, or as `header` says; the reply."""

@@ -8,11 +8,20 @@ import pytest
 import zenoh
 
 from bumpless.contract import keys
-from bumpless.node import links
+from bumpless.node import claim, links
 from bumpless.node.claim import Claim, TakenError
 from bumpless.node.session import node_config
 from tests.node.gate import Gate, gate
-from tests.node.listening import PATIENCE_S, free_port
+from tests.node.listening import PATIENCE_S
+from tests.ports import free_port
+
+
+@pytest.fixture(autouse=True)
+def patient(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What takes milliseconds on a quiet machine may take seconds on a busy one."""
+    monkeypatch.setattr(links, "PATIENCE_S", PATIENCE_S)
+    monkeypatch.setattr(links, "ANSWER_S", PATIENCE_S)
+    monkeypatch.setattr(claim, "ASK_S", PATIENCE_S)
 
 
 @contextmanager
@@ -55,9 +64,9 @@ def test_a_link_that_comes_during_the_preparation_is_noticed(monkeypatch: pytest
         live.stake()
         live.declare_alive()
         late = Claim(second, "ts100", connects=True)
-        monkeypatch.setattr(links, "PATIENCE_S", 0.0)
-        late.stake()
-        monkeypatch.undo()
+        with monkeypatch.context() as hasty:
+            hasty.setattr(links, "PATIENCE_S", 0.0)
+            late.stake()
         door.open()
         with pytest.raises(TakenError, match="already alive"):
             late.confirm()

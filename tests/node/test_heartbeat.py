@@ -49,8 +49,9 @@ def test_a_silent_console_makes_the_vehicle_do_what_its_file_declares(
     """Protects: without a console a mission is not flown on by accident, where the file says so."""
     with light_node(endpoint, "realtime", "", str(with_failsafe(tmp_path, reaction))):
         bus.until_alive()
-        bus.session.put(keys.heartbeat("ts100"), pb.Heartbeat(time_ns=1).SerializeToString())
         assert bus.start().accepted
+        # heard in the mission: one that was silent before it began has not left it
+        bus.session.put(keys.heartbeat("ts100"), pb.Heartbeat(time_ns=1).SerializeToString())
         (event,) = bus.until(lambda: [e for e in bus.of("event") if e.code == "failsafe"])
         assert event.severity == pb.SEVERITY_ALARM and event.details["reaction"] == reaction
         bus.until(lambda: bus.of("tlm/mission")[-1].phase == phase)
@@ -66,8 +67,8 @@ def test_when_nobody_is_in_control_it_does_what_its_file_declares(
     beat = keys.heartbeat("ts100")
     with light_node(endpoint, "realtime", "", str(with_failsafe(tmp_path, reaction, "holder_lost"))):
         bus.until_alive()
-        bus.session.put(beat, pb.Heartbeat(in_control=True).SerializeToString())
         assert bus.start().accepted
+        bus.session.put(beat, pb.Heartbeat(in_control=True).SerializeToString())
 
         def acted() -> list[pb.Event]:
             bus.session.put(beat, pb.Heartbeat(in_control=False).SerializeToString())

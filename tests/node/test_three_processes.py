@@ -13,7 +13,8 @@ from ruamel.yaml import YAML
 from websockets.sync.client import connect as connect_websocket
 
 from bumpless.contract import bumpless_pb2 as pb
-from tests.node.listening import PATIENCE_S, ROOT, free_port, program
+from tests.node.listening import PATIENCE_S, ROOT, program
+from tests.ports import free_port
 
 PASSWORD = "a secret of this test"
 FRAMES = 6000  # of the stream, after which what was waited for will not come

@@ -53,6 +53,7 @@ def test_a_repeated_request_is_done_once(bus: Listener, node: Process) -> None:
     assert first.accepted and first.id == "once"
     assert again == first
     assert bus.ask("abort", id="once").reason == "the id was used for 'start'"
+    bus.until_all_said()
     codes = [event.code for event in bus.of("event")]
     assert codes.count("mission_started") == 1
 
@@ -100,6 +101,7 @@ def test_an_abort_overtakes_what_waits(bus: Listener, node: Process) -> None:
     causes = [answer.cause for answer in answers]
     assert pb.REFUSAL_CAUSE_BUSY in causes, "the queue has no bound"
     assert pb.REFUSAL_CAUSE_OVERTAKEN in causes
+    bus.until_all_said()
     count = len(bus.of("tlm/mission"))
     status = bus.until(lambda: bus.of("tlm/mission")[count:])[-1]
     assert status.phase in (pb.MISSION_PHASE_IDLE, pb.MISSION_PHASE_ABORTED)

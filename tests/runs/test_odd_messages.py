@@ -56,5 +56,5 @@ def test_one_odd_message_costs_a_run_one_cycle_and_not_its_figures(flight: Fligh
     record(path, bus)
     whole, found = read_columns(flight.path), read_columns(path)
     assert len(whole.columns) - len(found.columns) == len(odd)
-    figures = figures_of_file(path, "odd", COMPLETE, found.status.phase)
+    figures = figures_of_file(path, "odd", COMPLETE, found.status)
     assert figures is not None and math.isfinite(figures[0].residual_rms)

@@ -9,7 +9,8 @@ from typing import Any
 import pytest
 
 from bumpless_server.settings import Settings
-from tests.server.serving import FAKE, Running, free_port, serving
+from tests.ports import free_port
+from tests.server.serving import FAKE, Running, serving
 
 
 @pytest.fixture

@@ -22,12 +22,6 @@ FAKE = Path(__file__).with_name("fake_vehicle.py")
 PATIENCE_S = 20.0  # how long a test waits before it fails; never how long it takes
 
 
-def free_port() -> int:
-    """A TCP port that nobody listens on now."""
-    with socket.create_server(("127.0.0.1", 0)) as listener:
-        return listener.getsockname()[1]
-
-
 def until(console: Console, holds: Callable[[], Any], patience_s: float = PATIENCE_S) -> Any:
     """Wait until `holds()` is true, looked at after each message that the server takes in."""
     happened = threading.Event()

@@ -13,7 +13,8 @@ import zenoh
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract import keys
 from bumpless.contract.session import session_config
-from tests.server.serving import Running, free_port
+from tests.ports import free_port
+from tests.server.serving import Running
 from tests.trust.figure import Figure, at_most, exactly
 from tests.trust.mutate import mutated_bytes
 from tests.trust.running import ROOT, await_true, light, seeing, settings, start

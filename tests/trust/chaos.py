@@ -12,7 +12,7 @@ from pathlib import Path
 
 from bumpless.contract import bumpless_pb2 as pb
 from tests.node.listening import program
-from tests.server.serving import free_port
+from tests.ports import free_port
 from tests.trust.figure import Figure, at_most, exactly
 from tests.trust.recorder import _read
 from tests.trust.running import ROOT, await_true, events, light, seeing, settings, start

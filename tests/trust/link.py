@@ -10,7 +10,7 @@ from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.messages import stamp_of
 from bumpless.runs.read import log_messages
 from tests.node.cut import cuttable
-from tests.server.serving import free_port
+from tests.ports import free_port
 from tests.trust.figure import Figure, at_most, exactly
 from tests.trust.running import ROOT, await_true, events, light, seeing, settings, start
 

@@ -10,7 +10,8 @@ from typing import Any
 
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless_server.settings import Settings
-from tests.server.serving import Running, free_port, serving
+from tests.ports import free_port
+from tests.server.serving import Running, serving
 
 ROOT = Path(__file__).parents[2]
 PATIENCE_S = 120.0

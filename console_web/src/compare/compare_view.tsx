@@ -1,7 +1,6 @@
 // Runs beside each other: lines laid over each other, figures with better and worse, what differs.
 import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
-import { NONE } from "../lib/format";
 import { address, go, href } from "../shell/address";
 import { endingNamed } from "../ui/endings";
 import { UndoIcon } from "../ui/icons";
@@ -103,7 +102,7 @@ export function CompareView() {
             {answer.value.settings.length ? (
               <SettingsTable comparison={answer.value} />
             ) : (
-              <Empty>{NONE} The same mission, parameters, seed and software.</Empty>
+              <Empty>The same mission, parameters, seed and software.</Empty>
             )}
           </Panel>
         </>

@@ -3,7 +3,7 @@ import { effect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
-import { fixed } from "../lib/format";
+import { fixed, placesOf } from "../lib/format";
 import { colour, font, theme, typeSize } from "../lib/theme";
 import { type Comparison, DASHES, letterOf, lines, type Moment, rows } from "./compared";
 
@@ -73,7 +73,14 @@ function options(element: HTMLElement, count: number, downward: boolean): uPlot.
     scales: { x: { time: false }, y: { dir: downward ? -1 : 1 } },
     axes: [
       { ...axis, grid, size: 1.6 * em, gap: 2, values: (_, at) => at.map((t) => fixed(t, 0)) },
-      { ...axis, grid, size: 3.7 * em, gap: 3 },
+      {
+        ...axis,
+        grid,
+        size: 3.7 * em,
+        gap: 3,
+        space: 1.7 * em,
+        values: (_, at) => at.map((mark) => fixed(mark, placesOf(Math.abs((at[1] ?? 1) - (at[0] ?? 0))))),
+      },
     ],
     series: [
       {},

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { age, bytes, clock, compact, fixed, headingOf, NONE, signed } from "./format";
+import { age, bytes, clock, compact, fixed, headingOf, NONE, placesOf, signed } from "./format";
 
 describe("numbers as an operator reads them", () => {
   it("shows nothing as a dash, never as a number", () => {
@@ -23,6 +23,12 @@ describe("numbers as an operator reads them", () => {
       "0",
       "\u221212.3",
     ]);
+  });
+});
+
+describe("the marks of a scale", () => {
+  it("have as many decimals as their step needs: 0.775 was written 0.78", () => {
+    expect([5, 0.5, 0.1, 0.25, 0.02, 0.025, 0.0001].map(placesOf)).toEqual([0, 1, 1, 2, 2, 3, 3]);
   });
 });
 

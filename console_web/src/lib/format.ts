@@ -64,3 +64,9 @@ export function dateTime(value: string | number | undefined, of: Zone = zone.val
   if (Number.isNaN(date.getTime())) return String(value);
   return `${day(date, of)} ${timeOfDay(date, of)} ${zoneName(date, of)}`;
 }
+
+/** Decimals that tell multiples of a step apart and round none of them: 3 for 0.025. */
+export function placesOf(step: number): number {
+  const whole = (scaled: number): boolean => Math.abs(scaled - Math.round(scaled)) < 1e-6;
+  return [0, 1, 2].find((places) => whole(step * 10 ** places)) ?? 3;
+}

@@ -10,16 +10,36 @@ export const theme = signal<Theme>(root.dataset.theme === "light" ? "light" : "d
 export const typeSize = signal(rootSize());
 let tokens: Record<string, string> = {};
 
+let chosen = stored() !== null;
+
+function stored(): string | null {
+  try {
+    return localStorage.getItem(KEY);
+  } catch {
+    return null; // Without storage the choice lasts as long as the page.
+  }
+}
+
 export function setTheme(next: Theme): void {
-  root.dataset.theme = next;
-  tokens = {};
+  chosen = true;
   try {
     localStorage.setItem(KEY, next);
   } catch {
-    // Without storage the choice lasts as long as the page.
+    // As above.
   }
+  wear(next);
+}
+
+function wear(next: Theme): void {
+  root.dataset.theme = next;
+  tokens = {};
   theme.value = next;
 }
+
+// A system that turns dark in the evening takes the page along.
+matchMedia("(prefers-color-scheme: light)").addEventListener("change", ({ matches }) => {
+  if (!chosen) wear(matches ? "light" : "dark");
+});
 
 function rootSize(): number {
   return Number.parseFloat(getComputedStyle(root).fontSize);

@@ -120,7 +120,7 @@ function paint(g: CanvasRenderingContext2D, width: number, height: number, a: nu
   g.textAlign = "right";
   g.fillText(`${right} ${fixed(rightMost, 1)} ${axisUnit(right)}`, width - 3, height - 4);
   g.textAlign = "left";
-  g.fillText(`${up} ${fixed(upMost, 1)}`, 3, typeSize.peek());
+  g.fillText(`${up} ${fixed(upMost, 1)} ${axisUnit(up)}`, 3, typeSize.peek());
 }
 
 /** The demand as a cross, the answer as a dot: told apart without colour. */

@@ -3,7 +3,7 @@ import { effect } from "@preact/signals";
 import uPlot from "uplot";
 import { ahead } from "../ahead/flights";
 import { drawAhead, extent } from "../ahead/overlay";
-import { fixed, headingOf } from "../lib/format";
+import { fixed, headingOf, placesOf } from "../lib/format";
 import { colour, font, theme, typeSize } from "../lib/theme";
 import { heldAt, screen } from "../stream/screen";
 import { marks } from "./event_marks";
@@ -105,7 +105,7 @@ function options(spec: PlotSpec, axis: boolean, width: number, height: number): 
       points: { size: 5 },
       y: false,
     },
-    padding: [5, 16, axis ? 0 : 5, 0],
+    padding: [6, 16, axis ? 0 : 5, 0],
     scales: {
       x: { time: false, range: () => timeScale() },
       y: {
@@ -194,7 +194,6 @@ function timeSplits(plot: uPlot): number[] {
 }
 
 function axisTexts(marks: number[], heading: boolean): string[] {
-  const step = Math.abs((marks[1] ?? 1) - (marks[0] ?? 0));
-  const decimals = Math.min(3, Math.max(0, Math.ceil(-Math.log10(step || 1) - 1e-9)));
+  const decimals = placesOf(Math.abs((marks[1] ?? 1) - (marks[0] ?? 0)));
   return marks.map((mark) => (heading ? headingOf : fixed)(mark, decimals));
 }

@@ -106,7 +106,8 @@ function paintAxis(
   g.fillStyle = colour("--ink-2");
   g.font = font("--text-2xs");
   g.textBaseline = "bottom";
-  const step = [5, 10, 30, 60].find((s) => (to - from) / s <= 8) ?? 120;
+  const most = Math.min(8, x(to) / (4.2 * typeSize.peek())); // the first label moves inwards, towards the next
+  const step = [5, 10, 20, 30, 60].find((s) => (to - from) / s <= most) ?? 120;
   for (const time of ticks(from, to, step)) {
     const left = x(time);
     g.textAlign = left < 14 ? "left" : left > x(to) - 14 ? "right" : "center";

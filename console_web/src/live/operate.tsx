@@ -49,7 +49,7 @@ function Where() {
     ["Depth", fixed(nav.depthM, 1), "m"],
     ["Heading", headingOf(nav.attitude?.yawDeg, 0), "°"],
     ["Speed", fixed(nav.speedOverGroundMps, 2), "m/s"],
-    ["To the dock", fixed(inForce.value ? screen.latest("tlm/supervisor")?.rangeM : NaN, 1), "m"],
+    ["To go", fixed(inForce.value ? screen.latest("tlm/supervisor")?.rangeM : NaN, 1), "m"],
   ];
   return (
     <dl class="large" data-state={screen.isFresh("tlm/navigation") ? "fresh" : "stale"}>

@@ -1,6 +1,7 @@
 // The 3-D scene: the server's page in a frame, with the camera presets above it. The frame stays while
 // another view is shown, for it is slow to load; its page draws nothing while it cannot be seen.
 import { useSignal } from "@preact/signals";
+import { useEffect, useRef } from "preact/hooks";
 import { ask } from "../api/client";
 import type { Refusal } from "../api/http";
 import { theme } from "../lib/theme";
@@ -69,13 +70,35 @@ export function Scene({ hidden }: { hidden: boolean }) {
   );
 }
 
+/** Its page came from our server: a browser's own page in its place, after a refusal, may not be looked into. */
+function hasCome(frame: HTMLIFrameElement): boolean {
+  try {
+    return frame.contentDocument !== null;
+  } catch {
+    return false;
+  }
+}
+
 function SceneFrame() {
   const { look } = link.value;
-  const seen = live.connection.value === "open" || live.lastFrame > 0;
+  const frame = useRef<HTMLIFrameElement>(null);
+  const open = live.connection.value === "open";
+  const seen = open || live.lastFrame > 0;
+  const wanted = theme.value;
+  const worn = useRef(wanted);
+  if (open) worn.current = wanted; // while the server is away its page can't be had anew
+  useEffect(() => {
+    const shown = frame.current;
+    if (open && shown && !hasCome(shown)) shown.setAttribute("src", shown.getAttribute("src") ?? "");
+  }, [open]);
   return (
     <div class="scene-frame" data-state={look === "live" || look === "waiting" ? "fresh" : "stale"}>
       {seen && (
-        <iframe src={`scene/${TAB}/?theme=${theme.value}`} title="3-D scene of vehicle, path and target" />
+        <iframe
+          ref={frame}
+          src={`scene/${TAB}/?theme=${worn.current}`}
+          title="3-D scene of vehicle, path and target"
+        />
       )}
       {look !== "live" && (
         <p class="scene-veil">

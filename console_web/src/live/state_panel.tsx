@@ -1,7 +1,7 @@
 // Where the vehicle is and how it follows its path, in numbers.
 import type { Guidance } from "../gen/bumpless_pb";
 import { fixed, headingOf, signed } from "../lib/format";
-import { screen } from "../stream/screen";
+import { inForce, screen } from "../stream/screen";
 import { Cells } from "../ui/cells";
 import { Empty, Panel } from "../ui/panel";
 import type { WordId } from "../words/words";
@@ -16,7 +16,7 @@ export function StatePanel() {
 
 function Figures() {
   const nav = screen.latest("tlm/navigation");
-  const guidance = screen.latest("tlm/guidance");
+  const guidance = inForce.value ? screen.latest("tlm/guidance") : undefined; // else nothing is followed
   if (!nav) return <Empty>The vehicle's estimate appears with the first telemetry.</Empty>;
   const current = nav.currentEstimateNedMps;
   const cells: [string, string, string, WordId?][] = [

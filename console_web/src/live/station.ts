@@ -24,6 +24,7 @@ function about(): string {
   return [
     ...steps,
     heading,
+    live.latest("tlm/supervisor")?.dockingStage,
     live.latest("tlm/mission")?.runId,
     live.latest("tlm/parameters")?.revision,
   ].join();

@@ -1,6 +1,7 @@
 // The little that counts, large enough to be read from three metres.
 import { useEffect } from "preact/hooks";
 import { alarms, unseen } from "../alarms/alarms";
+import { lookOf as lookOfAlarm } from "../alarms/looks";
 import { clock, fixed, headingOf } from "../lib/format";
 import { modeLook } from "../lib/modes";
 import { link } from "../stream/link";
@@ -25,6 +26,7 @@ export function Wall() {
   const status = screen.latest("tlm/mission");
   const stale = !screen.isFresh("tlm/navigation");
   const worst = unseen.value[0] ?? alarms.value[0];
+  const of = worst && lookOfAlarm(worst);
   return (
     <div class="wall" data-state={stale ? "stale" : "fresh"}>
       <div class="wall-mode">
@@ -45,8 +47,8 @@ export function Wall() {
           </div>
         ))}
       </dl>
-      <p class="wall-note" data-look={worst ? "alarm" : link.value.look}>
-        {worst ? worst.text : stale ? link.value.label : "No alarm."}
+      <p class="wall-note" data-look={of?.look ?? link.value.look}>
+        {of && <of.Icon size={28} />} {worst ? worst.text : stale ? link.value.label : "No alarm."}
       </p>
     </div>
   );
@@ -61,7 +63,7 @@ function figures(): Figure[] {
   return [
     { name: "Depth", value: fixed(nav?.depthM, 1), unit: "m" },
     {
-      name: "To the dock",
+      name: "To go",
       value: fixed(inForce.value ? screen.latest("tlm/supervisor")?.rangeM : NaN, 1),
       unit: "m",
     },

@@ -7,6 +7,7 @@ import { missions } from "../api/resources";
 import type { MissionDetail } from "../api/types";
 import { MissionPhase } from "../gen/bumpless_pb";
 import { clock, fixed } from "../lib/format";
+import { go } from "../shell/address";
 import { choosing, chosen, seedRefused, mission as shown, startShown, waits } from "../shell/commands";
 import { flying, link, PHASES, phase } from "../stream/link";
 import { foreign } from "../stream/present";
@@ -125,6 +126,7 @@ function Delete({ name }: { name: string }) {
       after={async (gone) => {
         if (!gone) return;
         chosen.value = "";
+        go("missions", "", {}, true);
         await missions.refresh();
       }}
     />

@@ -34,10 +34,17 @@ export function MissionsView() {
 
 function MissionList() {
   const { value: list, refusal } = missions;
+  const { view, id } = address.value;
+  const gone = view === "missions" && list && !list.some(({ name }) => name === id) ? id : "";
   const flying = flyingNow.value ? live.latest("tlm/mission")?.missionSha256 : undefined;
   return (
     <Panel title="Missions" class="mission-list" aside={<span class="muted num">{list?.length ?? ""}</span>}>
       {refusal && <Empty>The list cannot be read: {refusal.reason}</Empty>}
+      {gone && (
+        <Empty>
+          There is no mission {gone} here. {shown.value && `${shown.value} is shown.`}
+        </Empty>
+      )}
       {list?.length === 0 && <Empty>No missions yet. Drop a mission file above, or choose one.</Empty>}
       <ul class="rows">
         {list?.map((mission) => (

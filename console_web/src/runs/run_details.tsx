@@ -7,7 +7,7 @@ import { runs } from "../api/resources";
 import type { RunSummary } from "../api/types";
 import type { components } from "../gen/api";
 import { bytes, clock, dateTime, fixed } from "../lib/format";
-import { href } from "../shell/address";
+import { go, href } from "../shell/address";
 import { DeleteButton } from "../ui/delete_button";
 import { DownloadIcon, PlayIcon, WarningIcon } from "../ui/icons";
 import { Empty, Panel } from "../ui/panel";
@@ -160,8 +160,14 @@ function Pieces({ flight: { pieces }, told }: { flight: Flight; told: Whole | un
                 {held?.first_s == null ? "–" : `T+${clock(held.first_s)} to ${clock(held.last_s)}`}
               </td>
               <td class="piece-end">
-                {piece.state === "recording" ? "being recorded" : `${piece.outcome ? "mission" : "hold"}: `}
-                <span class="muted">{piece.end_reason}</span>
+                {piece.state === "recording"
+                  ? "being recorded"
+                  : piece.outcome
+                    ? "mission: "
+                    : "hold after it "}
+                {(piece.outcome || piece.state !== "complete") && (
+                  <span class="muted">{piece.end_reason}</span>
+                )}
               </td>
               <td>
                 <a
@@ -190,7 +196,10 @@ function Delete({ flight: { head, pieces, growing } }: { flight: Flight }) {
       why={growing ? "A run being recorded cannot be deleted" : ""}
       title={`Press and hold to put the record${all} into the bin`}
       remove={() => throwAway(pieces.map(({ id }) => id))}
-      after={() => runs.refresh()}
+      after={(gone) => {
+        if (gone) go("runs", "", {}, true);
+        return runs.refresh();
+      }}
     />
   );
 }

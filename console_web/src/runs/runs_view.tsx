@@ -40,8 +40,9 @@ function List() {
   const marked = useSignal<readonly string[]>([]);
   const sorted = shownFlights(list ?? [], { words: words.value, outcome: outcome.value });
   const { id: asked } = address.value;
-  const flight =
-    flightsOf(list ?? []).find(({ pieces }) => pieces.some(({ id }) => id === asked)) ?? sorted[0];
+  const found = flightsOf(list ?? []).find(({ pieces }) => pieces.some(({ id }) => id === asked));
+  const gone = list !== undefined && asked !== "" && !found;
+  const flight = found ?? (gone ? undefined : sorted[0]);
   const mark = (id: string): void => {
     const without = marked.value.filter((other) => other !== id);
     marked.value = without.length < marked.value.length ? without : [...without, id].slice(-MOST);
@@ -150,7 +151,11 @@ function List() {
         <RunDetails key={flight.head.id} flight={flight} />
       ) : (
         <Panel title="Run">
-          <Empty>The metrics of the chosen run appear here.</Empty>
+          <Empty>
+            {gone
+              ? `There is no run ${asked} here: it was deleted, or another server has it.`
+              : "The metrics of the chosen run appear here."}
+          </Empty>
         </Panel>
       )}
     </Main>

@@ -14,7 +14,7 @@ export function Banner() {
         <AlarmIcon size={20} />
         <strong>Connection to the server lost</strong>
         <span>
-          Values are from {age(since)} ago. The vehicle flies on by itself.{" "}
+          Values are from {age(since)} ago. {moving.value && "The vehicle flies on by itself. "}
           {live.connection.value === "lost" &&
             (retry > 0 ? `Trying again in ${retry.toFixed(0)} s.` : "Trying again.")}
         </span>

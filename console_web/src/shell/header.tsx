@@ -118,7 +118,7 @@ function Vehicle() {
       )}
       <span class="chip link-chip" data-look={look} role="status" aria-label={`Link: ${label}`}>
         <Icon /> {label}
-        {look !== "live" && seconds !== undefined && <span class="num"> {age(seconds)}</span>}
+        {look !== "live" && seconds !== undefined && <span class="num spare"> {age(seconds)}</span>}
       </span>
     </div>
   );
@@ -128,8 +128,8 @@ function Recording() {
   const status = live.latest("server/status");
   if (status && !live.isFresh("server/status")) {
     return (
-      <span class="chip" data-look="off" title="The server does not answer">
-        <HollowIcon size={11} /> Recording unknown
+      <span class="chip unknown" data-look="off" title="Not known: the server does not answer">
+        <HollowIcon size={11} /> Rec<span class="spare">ording unknown</span>
       </span>
     );
   }
@@ -143,7 +143,7 @@ function Recording() {
         role="status"
         title={`Runs are not being recorded: ${status.recorderTrouble}`}
       >
-        <AlarmIcon /> Cannot record
+        <AlarmIcon /> Cannot rec<span class="spare">ord</span>
       </span>
     );
   }
@@ -164,7 +164,9 @@ function Recording() {
           REC <span class="num spare">{bytes(status?.recordedBytes)}</span>
         </>
       ) : (
-        "Not recording"
+        <>
+          Not rec<span class="spare">ording</span>
+        </>
       )}
       {lost > 0 && <span class="lost"> {lost} dropped</span>}
     </span>

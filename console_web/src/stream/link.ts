@@ -28,7 +28,7 @@ export const link = computed((): Link => {
   if (connection === "lost") return LINKS.serverLost;
   const status = live.latest("server/status");
   if (connection === "connecting" || !status) return LINKS.connecting;
-  if (!live.isFresh("server/status")) return LINKS.serverSilent;
+  if (live.silent) return LINKS.serverSilent;
   switch (status.link) {
     case LinkState.LIVE:
       return live.isFresh("tlm/navigation") ? LINKS.live : LINKS.late;

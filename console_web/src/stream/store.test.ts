@@ -56,6 +56,25 @@ describe("the live store", () => {
     }
   });
 
+  it("calls a server silent when nothing comes, and not while telemetry does", () => {
+    vi.useFakeTimers({ toFake: ["performance", "setInterval"] });
+    try {
+      const { live, show } = store();
+      live.keepTime();
+      live.receive(frame([status]));
+      vi.advanceTimersByTime(5000);
+      live.receive(frame([said("tlm/navigation", NavigationSchema, {})]));
+      show();
+      expect(live.isFresh("server/status")).toBe(false);
+      expect(live.silent).toBe(false);
+      vi.advanceTimersByTime(5000);
+      show();
+      expect(live.silent).toBe(true);
+    } finally {
+      vi.useRealTimers();
+    }
+  });
+
   it("keeps events newest first and each once", () => {
     const { live, show } = store();
     live.receive(frame([event(31, "late"), event(24, "early")]));

@@ -86,6 +86,11 @@ export class LiveStore {
     return this.topics[name].fresh.value;
   }
 
+  /** Nothing at all has come for longer than the server's own word is good for. */
+  get silent(): boolean {
+    return this.now.value - this.lastFrame > 1000 * FRESH_FOR_S["server/status"];
+  }
+
   /** Newest first. */
   get events(): readonly Event[] {
     return this.log.shown.value;

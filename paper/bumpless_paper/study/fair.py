@@ -1,15 +1,15 @@
 """Allocator by ramp, the paper's S2, S3 and S4 each flown with the gains that are best for them.
 
 All rows fly the campaign `CAMPAIGN`: docking into a current, on vehicles whose fins, screws and sensors the
-autopilot does not know. `python -m bumpless_paper.study.fair [ROW ...]` searches the gains of `SEARCHED`,
-or of these rows, with that campaign's `tune`: the same parameters, bounds, flights, trials and score. It
-writes `FOUND`. `judge` flies them on flights that no search has seen; other rows fly the gains that ship.
+autopilot does not know. `make fair`, which is `python -m bumpless_paper.study.fair [ROW ...]`, searches the
+gains of `SEARCHED`, or of these rows, with that campaign's `tune`: the same parameters, bounds, flights,
+trials, beginning and score. A search that was stopped goes on where it was. What is found goes into `FOUND`.
+`judge` flies the rows with `gains` on flights that no search has seen; other rows fly those that ship.
 """
 
 import json
 import os
 import sys
-import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cache
@@ -18,17 +18,20 @@ from typing import Any
 
 import numpy as np
 
+from bumpless.campaign.cluster import kept
 from bumpless.campaign.engine import in_order
 from bumpless.campaign.flight import FlyNumbers, Row
 from bumpless.campaign.prepared import Prepared
 from bumpless.campaign.read import load_campaign
 from bumpless.campaign.summary import share_of
-from bumpless.campaign.tune import result, study
+from bumpless.campaign.tune import journal, result, study
+from bumpless.campaign.tune.values import applied
 from bumpless.config.mission.shipped import missions_folder
 from bumpless_paper.study.outcomes import GENTLE, HELD_OUT, Progress
 from bumpless_paper.study.scenarios import HARD, Overrides, merged
 
 CAMPAIGN, FOUND = "tune_ts100.yaml", Path(__file__).with_name("fair.json")
+SEARCHES = Path("build/fair")  # one folder a row
 
 
 @dataclass(frozen=True)
@@ -53,7 +56,7 @@ ROWS: dict[str, Variant] = {
     "hard": Variant("MD-CA, hard (S3)", merged(_allocator("mdca"), HARD)),
     "mdca_ramp": Variant("MD-CA, ramp (S4)", _allocator("mdca")),
 }
-SEARCHED = ("wls", "hard", "mdca_ramp")  # S2, S3, S4
+SEARCHED = ("mdca_ramp", "hard", "wls")  # S4, S3, S2
 MEDIANS = (
     "wrench_error_rms", "step_fr", "late_step_fr", "step_rh", "late_step_rh", "forward_depth_m_rms",
     "reverse_depth_m_rms", "hover_depth_m_rms", "reverse_cross_m_rms", "hover_heading_deg_rms", "energy_j",
@@ -78,27 +81,23 @@ def found() -> dict[str, Any]:
     return json.loads(FOUND.read_text(encoding="utf-8"))["rows"]
 
 
-def search(name: str, workers: int) -> dict[str, Any]:
+def gains(name: str) -> dict[str, float]:
+    """What a row flies: what its search found if held-out flights find it clearly better, else its beginning.
+
+    Nothing for a row that no search was made for.
+    """
+    if name not in found():
+        return {}
+    row = found()[name]
+    return row["values"] if row["verdict"] == result.CLEARLY else row["present"]
+
+
+def search(name: str, workers: int, folder: Path = SEARCHES) -> dict[str, Any]:
     """What `bumpless tune` finds for a row, and the held-out flights with it and without."""
-    prepared = prepared_for(name)
-
-    def fly(one: Prepared, numbers: Sequence[int]) -> list[Row]:
-        return in_order(list(numbers), _Flights(one), workers)
-
-    with tempfile.TemporaryDirectory() as folder:
-        journal = study.opened(Path(folder), prepared, False)
-        study.search(journal, prepared, fly)
-        return result.judge(journal, prepared, fly).as_dict()
-
-
-class _Flights:
-    """One flight of a campaign, picklable."""
-
-    def __init__(self, prepared: Prepared) -> None:
-        self.prepared = prepared
-
-    def __call__(self, number: int) -> Row:
-        return FlyNumbers(self.prepared)([number])[0]
+    prepared, fly = prepared_for(name), study.flier(kept(workers))
+    with journal.opened(folder / name, prepared, resume=True) as found:
+        study.search(found, prepared, fly)
+        return result.judge(found, prepared, fly).as_dict()
 
 
 def judge(
@@ -124,9 +123,7 @@ def _fly(job: tuple[str, int]) -> Row:
 
 @cache
 def _tuned(name: str) -> Prepared:
-    prepared = prepared_for(name)
-    if name in found():
-        prepared = study.applied(prepared, found()[name]["values"])
+    prepared = applied(prepared_for(name), gains(name))
     return replace(prepared, campaign=replace(prepared.campaign, seed=HELD_OUT))
 
 
@@ -154,12 +151,12 @@ def _median(values: Sequence[float]) -> float | None:
 
 def main(names: Sequence[str]) -> None:
     """Search these rows, `SEARCHED` when none is named, and write what was found."""
-    rows = found() if FOUND.exists() else {}
+    rows = dict(found()) if FOUND.exists() else {}
     for name in names or SEARCHED:
         rows[name] = search(name, os.cpu_count() or 1)
         about = {"campaign": CAMPAIGN, "rows": {key: rows[key] for key in ROWS if key in rows}}
         FOUND.write_text(json.dumps(about, indent=1) + "\n", encoding="utf-8")
-        print(ROWS[name].title, rows[name]["before"], rows[name]["after"], flush=True)
+        print(f"{ROWS[name].title}: {rows[name]['verdict']}", flush=True)
 
 
 if __name__ == "__main__":

@@ -39,7 +39,8 @@ def campaign(
     The folder gets the flights as Parquet, index.html and summary.json. Stopped or killed at any moment, it
     goes on with --resume; no flight is lost or counts twice.
 
-    Exit codes: 0 flown, 1 campaign or folder refused, 3 the cluster went away, 130 stopped.
+    Exit codes: 0 flown, 1 campaign or folder refused or a flight could not be flown, 3 the cluster went away,
+    130 stopped.
     """
     prepared = loaded(file)
     from bumpless.campaign.cluster import opened as cluster
@@ -75,8 +76,9 @@ def loaded(file: Path) -> "Prepared":
 
 @contextmanager
 def said_plainly() -> Iterator[None]:
-    """Errors of folder and cluster, and Ctrl-C, as one line and an exit code."""
+    """Errors of folder, disk and cluster, and Ctrl-C, as one line and an exit code."""
     from bumpless.campaign.cluster import ClusterError
+    from bumpless.campaign.flight import FlightError, OtherSoftware
     from bumpless.campaign.store import StoreError
 
     again = "what was flown is stored; the same command with --resume goes on"
@@ -85,7 +87,14 @@ def said_plainly() -> Iterator[None]:
     except StoreError as error:
         typer.echo(str(error), err=True)
         raise typer.Exit(REFUSED) from error
-    except ClusterError as error:
+    except OSError as error:
+        said = f"{error.filename}: {error.strerror}" if error.filename else str(error)
+        typer.echo(f"{said}; {again}", err=True)
+        raise typer.Exit(REFUSED) from error
+    except FlightError as error:
+        typer.echo(f"{error}; {again}", err=True)
+        raise typer.Exit(REFUSED) from error
+    except (ClusterError, OtherSoftware) as error:
         typer.echo(f"{error}; {again}", err=True)
         raise typer.Exit(LOST) from error
     except KeyboardInterrupt as error:

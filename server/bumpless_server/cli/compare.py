@@ -67,10 +67,11 @@ def _write(target: Path, logs: list[Path], align: str) -> None:
     from bumpless_server.cli.extras import need
 
     need("report", "jinja2", "matplotlib")
+    from bumpless.config.whole import write_text
     from bumpless.review.compared_report import comparison_report
     from bumpless_server.scene.hull_picture import hull_picture
 
-    target.write_text(comparison_report(logs, align, hull_picture), encoding="utf-8")
+    write_text(target, comparison_report(logs, align, hull_picture))
 
 
 def text_of(comparison: "Comparison", verdicts: "list[Verdict]") -> str:

@@ -31,6 +31,7 @@ def export(
     from bumpless_server.cli.extras import need
 
     need("log", "mcap")
+    from bumpless.config.whole import whole
     from bumpless.contract.extras import ExtraMissing
     from bumpless.runs.cut import Range
     from bumpless.runs.export import KINDS
@@ -41,7 +42,8 @@ def export(
             from bumpless_server.views.foxglove import LAYOUT, layout
 
             target = out or log.with_name(LAYOUT)
-            target.write_bytes(layout())
+            with whole(target) as partial:
+                partial.write_bytes(layout())
         elif kind in KINDS:
             chosen = Range.read(part)
             target = out or _beside(log, kind, chosen.all)

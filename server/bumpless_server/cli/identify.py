@@ -34,6 +34,7 @@ def identify(
 
     need("log", "mcap")
     import bumpless
+    from bumpless.config.whole import write_text
     from bumpless.identify import changes, flight_of, learned_text
     from bumpless.identify import identify as fitted
 
@@ -45,7 +46,7 @@ def identify(
         vehicle = _one([run.vehicle for run in runs])
         found = fitted([flight_of(run) for run in runs], vehicle)
         if out is not None:
-            out.write_text(learned_text(vehicle, found.factors), encoding="utf-8")
+            write_text(out, learned_text(vehicle, found.factors))
     except (ValueError, OSError) as error:
         typer.echo(f"bumpless identify: {error}", err=True)
         raise typer.Exit(REFUSED) from error

@@ -1,9 +1,12 @@
 """The command `bumpless`: one file per command, and nothing heavy imported before it is needed."""
 
 import gc
+from typing import Any
 
 import typer
+from typer.core import TyperGroup
 
+from bumpless.contract.exits import REFUSED
 from bumpless_server.cli import (
     campaign,
     compare,
@@ -24,8 +27,25 @@ from bumpless_server.cli import (
 )
 from bumpless_server.cli.serve_command import serve
 
+
+class Commands(TyperGroup):
+    """All commands: what the disk refuses ends each of them with one line."""
+
+    def invoke(self, ctx: typer.Context) -> Any:  # type: ignore[override]
+        """Run the command that was asked for."""
+        try:
+            return super().invoke(ctx)
+        except BrokenPipeError:
+            raise  # whoever read our words is gone: Click's own way
+        except OSError as error:
+            said = f"{error.filename}: {error.strerror}" if error.filename else str(error)
+            typer.echo(f"bumpless {ctx.invoked_subcommand}: {said}", err=True)
+            raise typer.Exit(REFUSED) from error
+
+
 app = typer.Typer(
     name="bumpless",
+    cls=Commands,
     help="Mission console and digital twin for over-actuated AUVs that dock.",
     no_args_is_help=True,
     add_completion=False,

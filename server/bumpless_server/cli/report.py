@@ -16,6 +16,7 @@ def report(
     from bumpless_server.cli.extras import need
 
     need("report", "mcap", "jinja2", "matplotlib")
+    from bumpless.config.whole import write_text
     from bumpless.review.report import report_of
     from bumpless_server.scene.hull_picture import hull_picture
 
@@ -25,5 +26,5 @@ def report(
     except ValueError as error:
         typer.echo(f"{log}: {error}", err=True)
         raise typer.Exit(1) from error
-    target.write_text(text, encoding="utf-8")
+    write_text(target, text)
     typer.echo(f"{target}: {len(text.encode()) // 1000} kB")

@@ -41,6 +41,7 @@ def reproduce(
         known = ", ".join(PARTS)
         typer.echo(f"bumpless reproduce: no part {error.args[0]!r}; there are {known}", err=True)
         raise typer.Exit(2) from error
+    _prepare(out)
     parts: list[Part] = []
     begin = time.perf_counter()
     for k, name in enumerate(names):
@@ -56,7 +57,7 @@ def reproduce(
         try:
             write_folder(out, parts, result, time.perf_counter() - begin)
         except OSError as error:
-            typer.echo(f"{out}: {error.strerror or error}", err=True)
+            typer.echo(f"{error.filename or out}: {error.strerror or error}", err=True)
             raise typer.Exit(1) from error
         typer.echo(f"wrote {out / 'index.html'}", err=True)
     if as_json:
@@ -64,6 +65,20 @@ def reproduce(
     elif out is None:
         for part in parts:
             typer.echo(f"{part.title}\n  {part.text}\n")
+
+
+def _prepare(out: Path | None) -> None:
+    """What cannot be written is said before the study is flown, not after it."""
+    if out is None:
+        return
+    import tempfile
+
+    try:
+        out.mkdir(parents=True, exist_ok=True)
+        tempfile.TemporaryFile(dir=out).close()
+    except OSError as error:
+        typer.echo(f"{out}: {error.strerror or error}", err=True)
+        raise typer.Exit(1) from error
 
 
 def as_document(parts: "list[Part]", names: list[str]) -> dict[str, Any]:
@@ -79,16 +94,17 @@ def as_document(parts: "list[Part]", names: list[str]) -> dict[str, Any]:
 
 def write_folder(out: Path, parts: "list[Part]", result: dict[str, Any], seconds: float) -> None:
     """index.html, reproduce.json, and one CSV per figure."""
+    from bumpless.config.whole import write_text
     from bumpless_paper.report import page_of
     from bumpless_paper.report.csv_text import csv_of
     from bumpless_paper.report.summary import summary_html
 
     out.mkdir(parents=True, exist_ok=True)
     text = json.dumps(result, indent=1, ensure_ascii=False) + "\n"
-    (out / "reproduce.json").write_text(text, encoding="utf-8")
+    write_text(out / "reproduce.json", text)
     for part in parts:
         for figure in part.figures:
-            (out / f"{figure.id}.csv").write_text(csv_of(figure), encoding="utf-8")
+            write_text(out / f"{figure.id}.csv", csv_of(figure))
     made_by = {
         "Bumpless": result["software_version"],
         "Python, NumPy, Numba": _versions(),
@@ -98,7 +114,7 @@ def write_folder(out: Path, parts: "list[Part]", result: dict[str, Any], seconds
     }
     for part in parts:
         made_by |= {f"SHA-256 of {name}": digest for name, digest in part.hashes.items()}
-    (out / "index.html").write_text(page_of(parts, made_by, summary_html(result["parts"])), encoding="utf-8")
+    write_text(out / "index.html", page_of(parts, made_by, summary_html(result["parts"])))
 
 
 def _versions() -> str:

@@ -81,7 +81,7 @@ def run(
         _save(result, out)
     summary = _summary(result, wall_s, ready - begin, out)
     typer.echo(json.dumps(summary, indent=2) if as_json else _text(result, summary))
-    if not _finite(result.columns):
+    if _broke_down(result.columns):
         typer.echo("the simulation broke down: a state is not finite", err=True)
         raise typer.Exit(BROKEN)
     if wanted and result.outcome.ending not in wanted:
@@ -193,10 +193,12 @@ def _changes(changes: list[str]) -> dict[str, dict[str, Any]]:
     return tables
 
 
-def _finite(columns: "Columns") -> bool:
+def _broke_down(columns: "Columns") -> bool:
+    """Whether a number that is none came out of the simulation, for a moment or for good."""
     import numpy as np
 
-    return all(np.isfinite(values).all() for values in (columns.eta, columns.nu, columns.u, columns.tau_d))
+    true = all(np.isfinite(values).all() for values in (columns.eta, columns.nu))
+    return columns.lost or columns.missing > 0 or not true
 
 
 def _text(result: "Run", summary: dict[str, Any]) -> str:

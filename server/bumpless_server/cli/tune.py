@@ -11,6 +11,8 @@ from bumpless_server.cli.campaign import REFUSED, Dask, File, Json, Workers, loa
 if TYPE_CHECKING:
     from bumpless.campaign.tune.result import Tuned
 
+FAILED_SHOWN = 5
+
 
 def tune(
     file: File,
@@ -27,19 +29,21 @@ def tune(
     The campaign's `tune` part says which and how long. Flights that end well come first, then tracking,
     smoothness and cost. The best is judged on flights that no trial has flown; parameters.toml gets it.
 
-    Exit codes: 0 done, 1 campaign or folder refused, 3 the cluster went away, 130 stopped.
+    Stopped or killed at any moment, it goes on with --resume: the same trials with the same result.
+
+    Exit codes: 0 done, 1 campaign or folder refused or a flight could not be flown, 3 the cluster went away,
+    130 stopped.
     """
     prepared = loaded(file)
     if prepared.campaign.tune is None:
         typer.echo(f"{file}: tune; is missing: what to search", err=True)
         raise typer.Exit(REFUSED)
     from bumpless.campaign.cluster import opened as cluster
-    from bumpless.campaign.tune import result, study
+    from bumpless.campaign.tune import journal, result, study
     from bumpless_server.cli.progress import Progress
 
     folder = out or Path(f"tune-{prepared.campaign.name}")
-    with said_plainly():
-        found = study.opened(folder, prepared, resume)
+    with said_plainly(), journal.opened(folder, prepared, resume) as found:
         with Progress(f"tune {prepared.campaign.name}") as progress, cluster(dask, workers) as client:
             fly = study.flier(client)
 
@@ -48,12 +52,17 @@ def tune(
 
             study.search(found, prepared, fly, show)
             tuned = result.judge(found, prepared, fly)
-    result.write(folder, prepared, tuned)
+        result.write(folder, prepared, tuned)
     typer.echo(json.dumps(tuned.as_dict(), indent=2) if as_json else _text(tuned, folder))
 
 
 def _text(tuned: "Tuned", folder: Path) -> str:
-    lines = [f"trial {tuned.trial} of {tuned.trials} is the best"]
+    lines = [f"{len(tuned.failed)} of {tuned.trials} trials could not be flown"] if tuned.failed else []
+    lines += [f"  {reason}" for reason in tuned.failed[:FAILED_SHOWN]]
+    if tuned.trial == 0:
+        lines.append(f"nothing better found in {tuned.trials} trials than the parameters it began with")
+    else:
+        lines.append(f"trial {tuned.trial} of {tuned.trials} is the best")
     lines += [f"  {path} = {value:.6g}" for path, value in tuned.values.items()]
     for name, judged in (("before", tuned.before), ("after", tuned.after)):
         d = judged.docked
@@ -62,4 +71,6 @@ def _text(tuned: "Tuned", folder: Path) -> str:
             f"({100 * d.low:.1f} to {100 * d.high:.1f} %), score {judged.score:.3f} "
             f"({judged.low:.3f} to {judged.high:.3f})"
         )
+    low, high = tuned.gain
+    lines.append(f"on held-out flights {tuned.verdict}: score smaller by {low:.3f} to {high:.3f}")
     return "\n".join([*lines, str(folder / "parameters.toml")])

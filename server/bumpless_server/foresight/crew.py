@@ -1,4 +1,7 @@
-"""Worker processes: started on first use, one task each at a time, ended when idle and with the server."""
+"""Worker processes: started on first use, one task each at a time, ended when idle and with the server.
+
+They give way to every other process from their first moment.
+"""
 
 import asyncio
 import contextlib
@@ -11,6 +14,7 @@ from bumpless_server.foresight.tasks import Head, Line
 
 log = logging.getLogger(__name__)
 
+NICE = 10
 LONGEST_LINE = 32 << 20  # bytes
 ONE_THREAD = dict.fromkeys(("NUMBA_NUM_THREADS", "OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"), "1")
 COMMAND = (sys.executable, "-m", "bumpless_server.foresight.worker")
@@ -38,6 +42,8 @@ class Worker:
             limit=LONGEST_LINE,
             env={**os.environ, **ONE_THREAD},
         )
+        with contextlib.suppress(ProcessLookupError):  # at once: what it imports costs a second of a core
+            os.setpriority(os.PRIO_PROCESS, self._process.pid, os.nice(0) + NICE)
         self._reading = asyncio.create_task(self._read(self._process))
 
     def give(self, task: Line) -> None:
@@ -60,6 +66,10 @@ class Worker:
             process.kill()
         await process.wait()
         await reading
+        if process.stdin is not None:  # its pipe would outlive the loop else
+            process.stdin.close()
+            with contextlib.suppress(OSError):
+                await process.stdin.wait_closed()
 
     def _write(self, line: bytes) -> None:
         if self._process is not None and self._process.stdin is not None:

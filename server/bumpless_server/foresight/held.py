@@ -4,11 +4,12 @@ import contextlib
 import math
 from typing import Literal
 
+from bumpless.config.mission import MissionError, parse_mission
 from bumpless.config.mission.model import Target
 from bumpless.config.parameters import ParameterError, default_parameters, from_message
 from bumpless.config.vehicle import Vehicle
 from bumpless.contract import bumpless_pb2 as pb
-from bumpless.contract.enums import MOVING
+from bumpless.contract.enums import MOVING, TRANSIT
 from bumpless.runs.checked import ACCEPT, REFUSE, WARN, Station, arcs, station_keeping
 from bumpless_server.foresight.told import HeldArc, HeldStation
 from bumpless_server.live.state import State
@@ -38,6 +39,7 @@ def told(station: Station, current_ned_mps: _Ned) -> HeldStation:
 def station_now(state: State, vehicle: Vehicle | None) -> HeldStation | None:
     """What holds in the current that the vehicle estimates now, and whether the heading it has taken does.
 
+    In transit it has taken none yet: there the one counts that it would take, by its mission.
     None where nothing flies that is heard, and for a vehicle that only passes its target by.
     """
     said = {topic: state.latest(topic) for topic in ("mission", "navigation", "target", "parameters")}
@@ -56,5 +58,16 @@ def station_now(state: State, vehicle: Vehicle | None) -> HeldStation | None:
     current = (flow.x, flow.y, flow.z)
     if own.guidance.speed_min_mps > 0.0 or not all(map(math.isfinite, (*current, target.heading_deg))):
         return None
-    taken = Target((0.0, 0.0, 0.0), target.heading_deg, 0.0)
+    taken = _to_be_taken(state) or Target((0.0, 0.0, 0.0), target.heading_deg, 0.0)
     return told(station_keeping(vehicle, own, current, taken), current)
+
+
+def _to_be_taken(state: State) -> Target | None:
+    """The planned target while the vehicle has not turned its approach yet; None where it has."""
+    supervisor, plan = state.latest("supervisor"), state.latest("plan")
+    if not isinstance(supervisor, pb.Supervisor) or supervisor.docking_stage != TRANSIT:
+        return None
+    if isinstance(plan, pb.Plan):
+        with contextlib.suppress(MissionError):  # of a vehicle whose missions are written otherwise
+            return parse_mission(plan.mission_yaml, plan.file_name).target
+    return None

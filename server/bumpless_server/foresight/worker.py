@@ -1,7 +1,6 @@
 """A worker: `python -m bumpless_server.foresight.worker [CHARTS]`. It flies what its input asks.
 
-It gives way to every other process, keeps its compiled code warm, and ends with its input, so that it never
-outlives its server.
+It keeps its compiled code warm, and ends with its input, so that it never outlives its server.
 """
 
 import os
@@ -14,8 +13,6 @@ from typing import Any, Protocol
 
 from bumpless_server.foresight import tasks
 from bumpless_server.foresight.tasks import GivenUp, Head
-
-NICE = 10
 
 
 class Line:
@@ -72,9 +69,8 @@ def serve(lines: Line, tell: Callable[[Head, str], None], make: Make) -> None:
 
 
 def main(make: Make) -> None:
-    """Give way, then serve."""
+    """Serve."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the server, whose end is ours
-    os.nice(NICE)
     out = os.dup(1)
     os.dup2(2, 1)  # what a library prints must not come between our lines
 

@@ -65,7 +65,7 @@ class Bus:
         try:
             session = zenoh.open(self._config)
         except zenoh.ZError as error:
-            raise BusError(f"cannot open the bus on {self._at}: {error}") from error
+            raise BusError(f"cannot open the bus on {self._at}: {_why(error)}") from error
         self._session = session
         self._held = [
             *self._hear(session, keys.telemetry(self.vehicle_id, "*")),
@@ -143,6 +143,16 @@ class Bus:
         present = sample.kind == zenoh.SampleKind.PUT
         self._speaker.token(present)
         self._on_alive(present)
+
+
+def _why(error: zenoh.ZError) -> str:
+    """Zenoh's words, which name its own lines of code; a taken address is told as what it is."""
+    if "Address already in use" not in str(error):
+        return str(error)
+    return (
+        "it is taken, by another Bumpless or a router; choose another with BUMPLESS_ZENOH_LISTEN,"
+        " such as tcp/127.0.0.1:7448"
+    )
 
 
 def _configured(listen: Sequence[str], connect: Sequence[str], file: Path | None) -> tuple[zenoh.Config, str]:

@@ -236,7 +236,14 @@ def _judged(summary: RunSummary, path: Path) -> RunSummary:
     except Exception:
         log.exception("the metrics of %s could not be computed", path)
         return summary
-    return replace(summary, metrics=metrics, outcome=outcome.ending.value, outcome_reason=outcome.reason)
+    flown_s = summary.duration_s or run.metrics.duration_s  # without an index the file tells no times
+    return replace(
+        summary,
+        metrics=metrics,
+        outcome=outcome.ending.value,
+        outcome_reason=outcome.reason,
+        duration_s=flown_s,
+    )
 
 
 def _repaired(path: Path) -> bool:

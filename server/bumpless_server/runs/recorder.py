@@ -19,7 +19,7 @@ from bumpless.contract.enums import COMPLETED, FLYING
 from bumpless.contract.keys import FILLED_S, TOPICS
 from bumpless.contract.messages import stamp_of
 from bumpless.contract.names import RUN
-from bumpless.runs.info import ending_of
+from bumpless.runs.info import elapsed_ns, ending_of
 from bumpless.runs.names import COMPLETE, CONTEXT, DESCRIPTION, ENDING, EVENT, INTERRUPTED, MISSION, PLAN
 from bumpless.runs.pieces import piece_name
 from bumpless.runs.view import View
@@ -287,7 +287,7 @@ class Recorder:
             self._folder / f"{name}{ENDING}", status, name, self._views(), depths=self._depths
         )
         # by our clock, which all log times are told by; the vehicle's own may be hours off
-        began_ns = told.receive_ns - round(status.elapsed_s * 1e9)
+        began_ns = told.receive_ns - elapsed_ns(status)
         for sample in self._context.values():
             if not _is_other_plan(sample, status):
                 self._write(sample, max(sample.receive_ns, began_ns))
@@ -311,9 +311,10 @@ class Recorder:
     def _belongs(self, sample: Sample, status: pb.MissionStatus) -> bool:
         """Was this said in a cycle of the mission whose first heard status is `status`?"""
         stamp, period = stamp_of(sample.payload), self._period_s()
-        slack = 0.25 * period if status.elapsed_s > 0 else 0.0  # cycles are paced, not exact
-        began_ns = status.stamp.time_ns - round((status.elapsed_s + slack) * 1e9)
-        first = status.stamp.cycle - round(status.elapsed_s / period)
+        flown_ns = elapsed_ns(status)
+        slack_ns = round(0.25e9 * period) if flown_ns else 0  # cycles are paced, not exact
+        began_ns = status.stamp.time_ns - flown_ns - slack_ns
+        first = status.stamp.cycle - round(flown_ns * 1e-9 / period)
         return stamp is not None and stamp.cycle >= first and stamp.time_ns >= began_ns
 
     def _finish_ended(self) -> None:

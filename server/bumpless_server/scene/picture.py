@@ -19,6 +19,7 @@ from bumpless_server.scene.envelopes import SetView
 from bumpless_server.scene.error_line import ErrorView, reference_from
 from bumpless_server.scene.ghost_view import GhostView
 from bumpless_server.scene.ghosts import Ghosts
+from bumpless_server.scene.held_ring import WORDS, Held, HeldView, HeldWatch
 from bumpless_server.scene.labels import Labelled
 from bumpless_server.scene.places import Places
 from bumpless_server.scene.plan import PlanView
@@ -47,6 +48,7 @@ class Picture:
         parse: Callable[[str], Any],
         light: bool,
         ghosts: Ghosts | None = None,
+        holds: Callable[[], Held | None] = lambda: None,
     ) -> None:
         self._state, self._server, self._sets, self._parse, self._light = state, server, sets, parse, light
         self.labels = scene = Labelled(server.scene)
@@ -61,6 +63,8 @@ class Picture:
         self.water = WaterView(scene)
         self.plan = PlanView(scene)
         self.target = TargetView(scene)
+        self.held = HeldView(scene)
+        self._held = HeldWatch(state, holds)
         self.current = CurrentView(scene)
         self.trail = TrailView(scene, track)
         self.force = SetView(scene, "force", "attainable force", "XYZ", "N", palette.FORCE_SET)
@@ -129,7 +133,10 @@ class Picture:
             self.places.target_heading = radians(target.heading_deg)
             self.places.observation = pose.vector(target.observation_point_ned_m)
         phase = self._last("mission", pb.MissionStatus).phase
-        self.target.name(self._last("target", pb.Target), live, known=phase in MOVING)
+        held = self._held.now(time.monotonic()) if planned else None
+        self.held.show(held, self.places.target)
+        holds = WORDS[held.zone] if held is not None else ""
+        self.target.name(self._last("target", pb.Target), live, phase in MOVING, holds)
         if (supervisor := self._fresh("supervisor", pb.Supervisor)) is not None:
             self.target.thresholds(supervisor)
         deepest = plane_depth(

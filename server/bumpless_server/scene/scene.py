@@ -11,6 +11,7 @@ from bumpless_server.scene.attainable import AttainableSets, Sets, sets_of
 from bumpless_server.scene.cameras import Cameras
 from bumpless_server.scene.finite import Finite
 from bumpless_server.scene.ghosts import Ghosts
+from bumpless_server.scene.held_ring import Held
 from bumpless_server.scene.proxy import Proxy
 from bumpless_server.scene.trail import Track
 
@@ -29,6 +30,7 @@ class Scene:
 
     `session_of(request)` gives the session of a request or websocket, or None to refuse it.
     `light` draws fewer polygons, for browsers without a GPU.
+    `holds()`: on which headings station is held now.
     """
 
     def __init__(
@@ -38,8 +40,9 @@ class Scene:
         light: bool = False,
         make_sets: Callable[[Any], Callable[[float], Sets]] = sets_of,
         ghosts: Ghosts | None = None,
+        holds: Callable[[], Held | None] = lambda: None,
     ) -> None:
-        self._ghosts = ghosts
+        self._ghosts, self._holds = ghosts, holds
         self._state, self._light, self._make_sets = Finite(state), light, make_sets
         self.cameras = Cameras()
         self.proxy = Proxy(session_of, self.cameras)
@@ -78,7 +81,7 @@ class Scene:
             self._state,
             self.cameras,
             track,
-            lambda: Picture(self._state, server, track, sets, parse, self._light, self._ghosts),
+            lambda: Picture(self._state, server, track, sets, parse, self._light, self._ghosts, self._holds),
         )
 
         async def joined(client: Any) -> None:

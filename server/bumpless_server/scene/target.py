@@ -101,10 +101,11 @@ class TargetView:
         """No mission, no target."""
         self.frame.visible = self.point.visible = self.detail.visible = False
 
-    def name(self, target: pb.Target, live: bool, known: bool = True) -> None:
+    def name(self, target: pb.Target, live: bool, known: bool = True, holds: str = "") -> None:
         """Approach heading and, while that is known, whether the camera sees the target.
 
         known: False when nothing keeps the target's place up to date, as after an abort.
+        holds: whether its heading holds station, in words; "" where that is not known.
         """
         words = f"target {target.heading_deg % 360.0:03.0f}°"
         if self._known != known:
@@ -115,6 +116,7 @@ class TargetView:
             words += " · last known place"
         elif live:
             words += " · detected" if target.detected else " · not detected"
+            words += f" · {holds}" if holds else ""
         self.label.text = words
 
     def thresholds(self, supervisor: pb.Supervisor) -> None:

@@ -119,7 +119,13 @@ def create_app(settings: Settings, console: Console | None = None) -> FastAPI:
     app.state.scene = None
     if settings.scene != "off":
         light = settings.scene == "light"
-        app.state.scene = scene = Scene(console.state, session_cookie, light, ghosts=console.ghosts)
+        app.state.scene = scene = Scene(
+            console.state,
+            session_cookie,
+            light,
+            ghosts=console.ghosts,
+            holds=lambda: status.vehicle_station(console),
+        )
         app.include_router(scene.router)
     interface.install(app)
     help.mount(app)

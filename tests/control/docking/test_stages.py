@@ -210,6 +210,25 @@ def test_what_does_not_keep_its_speed_is_waved_off_for_good(dock, left, lag) -> 
     assert dock.now == e.HOLD and dock.mode == e.HOVER
 
 
+@pytest.mark.parametrize(("watched", "value"), [("unbraked", 0.05), ("slip", 1.0), ("slip", -1.0)])
+@pytest.mark.parametrize("mode", [e.FORWARD, e.REVERSE])
+def test_a_brake_that_fails_is_seen_in_forward_too(dock, mode, watched, value) -> None:
+    """Protects: on the line, before and after the switch, a brake without thrust or that sticks waves off."""
+    dock.stage(e.APPROACH, mode).docking[watched] = value
+    dock.at(8.7).step()
+    assert dock.now == e.BACK and dock.mode == e.REVERSE and dock.reason == e.TOO_SLOW
+
+
+def test_past_the_dock_a_vehicle_without_a_brake_is_given_up(dock) -> None:
+    """Protects: it turned away, has the dock abaft and is clear of it: its mission is over."""
+    dock.stage(e.BACK, e.REVERSE).docking["reason"] = e.TOO_SLOW
+    dock.docking["passing"], dock.docking["back_to"] = 1, 9.0
+    dock.at(5.0, off_deg=60.0).step()
+    assert dock.now == e.BACK
+    dock.at(-5.0, aside=4.0, off_deg=60.0).step()
+    assert dock.now == e.HOLD and dock.mode == e.HOVER and dock.reason == e.TOO_SLOW
+
+
 def test_the_way_back_ends_in_another_approach(dock) -> None:
     """Protects: from the hold point, in line, the vehicle approaches again and counts it."""
     dock.stage(e.BACK, e.REVERSE).docking["back_to"] = 9.0

@@ -1,17 +1,21 @@
 """The commands as a user types them: output, JSON and exit codes."""
 
 import json
+import os
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+from typer import Exit
 from typer.testing import CliRunner
 
 from bumpless import open_run
-from bumpless.contract.exits import NOT_AS_REQUIRED
+from bumpless.config.whole import NotWritten
+from bumpless.contract.exits import MISUSED, NOT_AS_REQUIRED, REFUSED
 from bumpless.metrics import as_dict
 from bumpless.runs.summary import summarise
+from bumpless_server.cli.campaign import said_plainly
 from bumpless_server.cli.main import app
 
 MISSIONS = Path(__file__).parents[3] / "missions"
@@ -211,3 +215,39 @@ def test_version_and_no_arguments() -> None:
     """The first things that anyone types."""
     assert bumpless("--version")[0].startswith("bumpless ")
     assert "Usage" in CliRunner().invoke(app, []).output
+
+
+@pytest.fixture
+def log(short: Path, tmp_path: Path) -> Path:
+    """A log of three seconds."""
+    bumpless("run", short, "--out", tmp_path / "short.mcap")
+    return tmp_path / "short.mcap"
+
+
+def test_what_cannot_be_written_is_one_line_and_costs_nothing(log: Path, short: Path) -> None:
+    """Protects: a full or closed disk was a traceback, and took what stood in the file before."""
+    device = log.with_name("pipe")
+    os.mkfifo(device)
+    said = ("is no ordinary file", "No such file or directory")
+    for target, why in zip((device, log.with_name("nowhere") / "x"), said, strict=True):
+        for words in (
+            ("run", short, "--out", target),
+            ("report", log, "--out", target),
+            ("compare", log, log, "--report", target),
+            ("refly", log, "--out", target),
+            ("identify", log, "--out", target),
+            *(("export", log, "--as", kind, "--out", target) for kind in ("mcap", "csv", "alog", "layout")),
+        ):
+            done = CliRunner().invoke(app, [str(word) for word in words])
+            assert done.exit_code in (REFUSED, MISUSED), (words, done.output)
+            assert isinstance(done.exception, SystemExit), (words, done.exception)
+            assert f"{target}: {why}" in done.stderr.splitlines()[-1], (words, done.stderr)
+    assert device.is_fifo()
+
+
+def test_a_campaign_on_a_full_disk_says_that_what_is_stored_stays() -> None:
+    """Protects: a disk that was full after hours ended in a traceback, without the way on."""
+    full = "flights/00000000-00000063.parquet"
+    with pytest.raises(Exit) as ended, said_plainly():
+        raise NotWritten(28, "No space left on device", full)
+    assert ended.value.exit_code == REFUSED

@@ -186,7 +186,9 @@ def test_a_taken_bus_port_and_a_data_folder_in_use_are_one_clear_line_each(
     with server(settings, BUMPLESS_MANAGE_NODE="0"):
         assert "is in use by another server" in fault_of(settings)
         other = tmp_path / "other"
-        assert "cannot open the bus on tcp/127.0.0.1:" in fault_of(settings, BUMPLESS_DATA_DIR=str(other))
+        fault = fault_of(settings, BUMPLESS_DATA_DIR=str(other))
+        assert "cannot open the bus on tcp/127.0.0.1:" in fault and ".rs" not in fault
+        assert "choose another with BUMPLESS_ZENOH_LISTEN" in fault
 
 
 def test_a_killed_server_leaves_the_mission_flying_and_a_new_one_takes_it_up(

@@ -71,6 +71,9 @@ class Said:
     def __init__(self, **messages: Any) -> None:
         self._messages = messages
 
+    def say(self, **messages: Any) -> None:
+        self._messages |= messages
+
     def latest(self, topic: str) -> Any:
         return self._messages.get(topic)
 
@@ -96,6 +99,21 @@ def test_in_flight_the_estimate_counts_and_the_heading_that_was_taken() -> None:
     alone = station_keeping(vehicle, default_parameters(vehicle), (-0.1, 0.0, 0.0), target)
     assert (zones(turned) == alone.zone).all()
     assert {int(zone) for zone in alone.zone} >= {ACCEPT, REFUSE}
+
+
+def test_in_transit_the_heading_counts_that_it_would_take() -> None:
+    """Protects: a mission into the current began with "can't hold", of a heading that is never flown."""
+    said = flying(0.0, 0.1, 0.0)
+    text = TEXT.format(vehicle="ts100", north=0.0, east=0.1).replace(
+        "standoff_m", "approach: into_current, standoff_m"
+    )
+    said.say(plan=pb.Plan(mission_yaml=text, file_name="abeam.yaml"))
+    said.say(supervisor=pb.Supervisor(docking_stage=pb.DOCKING_STAGE_TRANSIT))
+    ahead = now(said)
+    assert ahead is not None and (ahead.zone, round(ahead.heading_deg)) == ("accepted", 270)
+    said.say(supervisor=pb.Supervisor(docking_stage=pb.DOCKING_STAGE_APPROACH))
+    taken = now(said)
+    assert taken is not None and (taken.zone, taken.heading_deg) == ("refused", 0.0)
 
 
 def test_where_nothing_flies_nothing_is_said() -> None:

@@ -17,7 +17,8 @@ from bumpless_server.cli.main import app
 from bumpless_server.keys import folder as keyring
 from bumpless_server.keys.access import Party, rights
 from bumpless_server.keys.authority import common_name_of, new_authority, sign_party
-from tests.node.listening import PATIENCE_S, Listener, free_port, light_node_with, program
+from tests.node.listening import PATIENCE_S, Listener, light_node_with, program
+from tests.ports import free_port
 
 OTHERS = ("ts100", "other")
 

@@ -16,7 +16,8 @@ from bumpless_server.live.sample import Sample
 from bumpless_server.live.speaker import Speaker
 from bumpless_server.live.tally import Tally
 from tests.node.cut import Cut, cuttable
-from tests.server.serving import PATIENCE_S, free_port
+from tests.ports import free_port
+from tests.server.serving import PATIENCE_S
 
 
 class Ear:

@@ -5,6 +5,7 @@ import base64
 import itertools
 import os
 import socket
+from statistics import median
 
 import psutil
 import pytest
@@ -160,7 +161,7 @@ async def test_no_more_than_25_frames_a_second_however_fast_the_bus_is() -> None
 
     async def send(_frame: bytes) -> None:
         times.append(loop.time())
-        if len(times) == 5:
+        if len(times) == 8:
             enough.set()
 
     task = asyncio.create_task(stream.serve(send))
@@ -168,7 +169,8 @@ async def test_no_more_than_25_frames_a_second_however_fast_the_bus_is() -> None
         state.feed(sample("tlm/navigation", len(times)))
         await asyncio.sleep(0.001)
     task.cancel()
-    assert (times[-1] - times[0]) / 4 >= FRAME_PERIOD_S * 0.98
+    # the middle one: a busy machine may take the process's time from it between clock and frame
+    assert median(b - a for a, b in itertools.pairwise(times)) >= FRAME_PERIOD_S * 0.98
 
 
 def test_a_new_browser_gets_the_last_value_of_every_topic_as_the_bus_said_it(running: Running) -> None:

@@ -120,3 +120,19 @@ def test_who_stays_away_ends_the_log(tmp_path: Path, monkeypatch: pytest.MonkeyP
     bench.status(1, pb.MISSION_PHASE_RUNNING, session="b")
     assert summarise(bench.closed[1]).end_reason == "link to the vehicle lost"
     bench.recorder._close()
+
+
+@pytest.mark.parametrize("elapsed", [float("nan"), float("inf"), -1e300, 1e300])
+def test_a_mission_time_that_is_none_ends_no_recording(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, elapsed: float
+) -> None:
+    """Protects: a vehicle that says NaN for its mission's time was not recorded at all."""
+    bench = Bench(tmp_path, monkeypatch)
+    bench.hear("navigation", 1)
+    bench.status(1, pb.MISSION_PHASE_RUNNING, elapsed=elapsed)
+    bench.hear("navigation", 2)
+    bench.status(3, pb.MISSION_PHASE_COMPLETED, elapsed=elapsed, end_reason="done")
+    bench.recorder._close()
+    run = summarise(bench.closed[0])
+    assert (run.state, run.end_reason) == ("complete", "done") and run.started_ns > 0
+    assert bench.recorder.trouble == ""

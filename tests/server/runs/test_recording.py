@@ -16,6 +16,7 @@ from bumpless.contract import bumpless_pb2 as pb
 from bumpless.runs.names import record_kind
 from bumpless.runs.read import log_messages
 from bumpless.runs.records import is_whole
+from bumpless_server.live.link import LOST_WITHOUT_TOKEN_S
 from bumpless_server.settings import Settings
 from tests.server.serving import Running, serving
 
@@ -110,7 +111,7 @@ def test_a_run_can_be_downloaded_while_it_is_recorded(running: Running) -> None:
 
 
 def test_killing_the_vehicle_closes_the_file_at_once_and_readable(running: Running) -> None:
-    """kill -9: the screen says LOST within a second of the last word, the run is closed, interrupted."""
+    """kill -9: LOST by the end of its token and not by its silence; the run is closed, interrupted."""
     run = start(running)
     running.until(lambda: (r := running.console.recorder.recording) and r.messages > 20)
     ages: list[float] = []
@@ -123,7 +124,7 @@ def test_killing_the_vehicle_closes_the_file_at_once_and_readable(running: Runni
     running.console.state.subscribe(note)
     os.kill(running.console.supervisor.pid or 0, signal.SIGKILL)
     running.until(lambda: ages)
-    assert ages[0] < 1.0
+    assert ages[0] < LOST_WITHOUT_TOKEN_S
     row = recorded(running, run, "interrupted")
     assert row["end_reason"] == "link to the vehicle lost" and row["messages"] > 20
     path = running.console.data.runs / f"{run}.mcap"
@@ -150,21 +151,20 @@ def test_runs_are_deleted_on_demand_and_strange_names_find_nothing(
 
 def test_who_asked_for_what_stands_in_the_log(make_settings: Callable[..., Settings]) -> None:
     """Protects: a log tells by whom a flight was begun and changed, also to who has the file alone."""
-    with serving(make_settings("--mission-s", "1.5")) as running:
+    with serving(make_settings()) as running:
         running.until(lambda: running.console.state.latest("parameters"))
         running.http.post("/api/mission/start", json={"name": "docking", "operator": "Ada"})
         (entry,) = running.http.get("/api/audit").json()
         running.until(lambda: running.console.recorder.recording)
         assert running.http.post("/api/mission/pause").status_code == 200
         assert running.http.post("/api/mission/resume").status_code == 200
+        assert running.http.post("/api/mission/abort").status_code == 200
         row = running.until(lambda: next(iter(running.console.catalogue.rows()), None))
     path = running.console.data.runs / f"{row.summary.id}.mcap"
     told = [pb.AuditEntry.FromString(record.data) for _, record in log_messages(path, {"server/audit"})]
-    assert [(one.verb, one.answer) for one in told] == [
-        ("start", "accepted"),
-        ("pause", "accepted"),
-        ("resume", "accepted"),
-    ]
+    done = [(one.verb, one.answer) for one in told]
+    assert done[:3] == [("start", "accepted"), ("pause", "accepted"), ("resume", "accepted")]
+    assert done[3:] in ([], [("abort", "accepted")])  # its answer comes when the file may be closed
     assert told[0].author == "Ada" and told[0].id == entry["id"]
     assert json.loads(told[0].details_json)["mission"] == "docking.yaml"
     assert is_whole(path)

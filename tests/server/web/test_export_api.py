@@ -8,7 +8,8 @@ from mcap.reader import make_reader
 
 import bumpless
 from bumpless_server.settings import Settings
-from tests.server.serving import Running, free_port, serving
+from tests.ports import free_port
+from tests.server.serving import Running, serving
 
 MISSION = Path(__file__).parents[3] / "missions" / "docking.yaml"
 RUN = "20260101T000000Z-docking-ab12"

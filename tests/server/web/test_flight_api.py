@@ -8,7 +8,8 @@ import pytest
 import bumpless
 from bumpless_server.settings import Settings
 from tests.pieces import in_pieces
-from tests.server.serving import Running, free_port, serving
+from tests.ports import free_port
+from tests.server.serving import Running, serving
 
 CUT, AGAIN, HELD = 12.0, 19.5, 5.0
 

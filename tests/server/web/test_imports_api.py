@@ -7,9 +7,10 @@ import pytest
 
 import bumpless
 from bumpless_server.settings import Settings
+from tests.ports import free_port
 from tests.runs.flights import Flight, make_flight
 from tests.runs.test_adopt import foreign
-from tests.server.serving import Running, free_port, serving
+from tests.server.serving import Running, serving
 
 
 @pytest.fixture(scope="module")

@@ -3,16 +3,20 @@
 import logging
 import multiprocessing
 import os
+import socket
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import cache
 from typing import TYPE_CHECKING
 
+from bumpless.campaign.prepared import software
+
 if TYPE_CHECKING:
     from distributed import Client, LocalCluster
 
 ANSWER_S = 10.0  # how long a scheduler may take to answer
+WORKERS_S = 60.0  # how long the first worker may take to join one
 
 
 class ClusterError(RuntimeError):
@@ -25,6 +29,8 @@ def opened(address: str | None = None, workers: int | None = None) -> "Iterator[
     logging.getLogger("distributed").setLevel(logging.CRITICAL)  # what matters is raised
     if address is not None:
         with _reached(address) as client:
+            _await_workers(client)
+            _compare_software(client)
             yield client
         return
     from distributed import Client
@@ -83,6 +89,36 @@ def _reached(address: str) -> "Client":
     from distributed import Client
 
     try:
+        _knock(address)
         return Client(address, timeout=ANSWER_S, set_as_default=False)
-    except (OSError, ValueError, TimeoutError) as error:
+    except (OSError, ValueError) as error:
         raise ClusterError(f"no Dask scheduler answers at {address}: {error}") from error
+
+
+def _knock(address: str) -> None:
+    """Raise at once what Dask would try again until its time is over: nobody listens there."""
+    scheme, _, place = address.rpartition("://")
+    host, _, port = place.rpartition(":")
+    if scheme not in ("", "tcp", "tls") or not host or not port.isdecimal():
+        raise ValueError("must be tcp://HOST:PORT or tls://HOST:PORT")
+    socket.create_connection((host.strip("[]"), int(port)), ANSWER_S).close()
+
+
+def _await_workers(client: "Client") -> None:
+    try:
+        client.wait_for_workers(1, WORKERS_S)
+    except TimeoutError as error:
+        where = client.scheduler.address if client.scheduler else "the scheduler"
+        raise ClusterError(f"no worker has joined {where} within {WORKERS_S:g} s") from error
+
+
+def _compare_software(client: "Client") -> None:
+    """What joins later is compared by each chunk, see `FlyNumbers`."""
+    again = "install on the workers what runs here"
+    try:
+        found = client.run(software)
+    except (ImportError, AttributeError) as error:
+        raise ClusterError(f"a worker cannot load this version of Bumpless: {error}; {again}") from error
+    for worker, its in found.items():
+        if its != software():
+            raise ClusterError(f"{worker} has Bumpless {its}, here is {software()}; {again}")

@@ -74,6 +74,9 @@ class Search:
     low: Annotated[float, Number("Smallest value tried")]
     high: Annotated[float, Number("Largest value tried")]
     log: Annotated[bool, Switch("Try every factor alike, not every difference")] = False
+    start: Annotated[
+        float | None, Number("Where the search begins, so that it can be done again; else as flown now")
+    ] = None
 
 
 @model
@@ -91,7 +94,8 @@ class Tune:
 
     trials: Annotated[int, Number("Trials", "", 1, 100_000)]
     held_out: Annotated[
-        int, Number("Flights after the campaign's own, flown once with the best parameters", "", 1, MOST)
+        int,
+        Number("Flights after the campaign's own, flown with the first and the best values", "", 1, MOST),
     ]
     search: Annotated[dict[str, Search], Named("Parameters to search, by their paths", fewest=1)]
     weights: Annotated[Weights, Part("Weights of the score's parts")] = Weights()

@@ -20,9 +20,9 @@ ROUNDS = 8  # chunks per worker: enough that the last ones end together
 LARGEST_CHUNK = 64
 
 
-def in_chunks(items: Sequence[J], workers: int) -> list[list[J]]:
-    """`items` cut in their order into chunks for so many workers."""
-    size = max(1, min(LARGEST_CHUNK, len(items) // (ROUNDS * max(1, workers))))
+def in_chunks(items: Sequence[J], workers: int, rounds: int = ROUNDS) -> list[list[J]]:
+    """`items` cut in their order into chunks, so many `rounds` of them for each of so many workers."""
+    size = max(1, min(LARGEST_CHUNK, len(items) // (rounds * max(1, workers))))
     return [list(items[k : k + size]) for k in range(0, len(items), size)]
 
 

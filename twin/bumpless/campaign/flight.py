@@ -1,5 +1,6 @@
 """Fly one number of a campaign and keep one row of it. A worker holds one twin and its room, used again."""
 
+import platform
 from collections.abc import Sequence
 from typing import Any
 
@@ -7,7 +8,7 @@ from bumpless.campaign.drawn import OF_SENSORS, drawn_mission, drawn_vehicle, re
 from bumpless.campaign.figures import figures
 from bumpless.campaign.gathered import Gatherer
 from bumpless.campaign.plant import Alteration
-from bumpless.campaign.prepared import Prepared
+from bumpless.campaign.prepared import Prepared, software
 from bumpless.campaign.ready import ready
 from bumpless.config.parameters import Parameters
 from bumpless.config.vehicle import Vehicle
@@ -15,6 +16,17 @@ from bumpless.metrics import figures_of
 from bumpless.sim.twin import Twin
 
 Row = dict[str, Any]
+
+
+class FlightError(RuntimeError):
+    """A flight that could not be flown to its end, which is a fault of the software."""
+
+    def __init__(self, number: int, error: str) -> None:
+        super().__init__(number, error)  # so that it comes back whole from a worker
+
+    def __str__(self) -> str:
+        number, error = self.args
+        return f"flight {number} could not be flown: {error}; `bumpless run FILE --draw {number}` shows where"
 
 
 class Hangar:
@@ -33,17 +45,33 @@ class Hangar:
         return self._twin
 
 
+class OtherSoftware(RuntimeError):
+    """A worker would fly something else than who sent it the campaign."""
+
+
 class FlyNumbers:
-    """Flights of a campaign by their numbers: the work of one chunk, picklable."""
+    """Flights of a campaign by their numbers: the work of one chunk, picklable.
+
+    It knows the software it was made by: a flight of another one is none of this campaign. Raises
+    OtherSoftware.
+    """
 
     def __init__(self, prepared: Prepared) -> None:
         self.prepared = prepared
+        self.software = software()
 
     def __call__(self, numbers: Sequence[int]) -> list[Row]:
-        """One row per number."""
+        """One row per number. Raises OtherSoftware, FlightError."""
+        if self.software != software():
+            raise OtherSoftware(f"{platform.node()} has Bumpless {software()}, this program {self.software}")
         ready()
-        hangar = Hangar()
-        return [fly_number(self.prepared, number, hangar) for number in numbers]
+        hangar, rows = Hangar(), list[Row]()
+        for number in numbers:
+            try:
+                rows.append(fly_number(self.prepared, number, hangar))
+            except Exception as error:
+                raise FlightError(number, f"{type(error).__name__}: {error}") from error
+        return rows
 
 
 def fly_number(prepared: Prepared, number: int, hangar: Hangar) -> Row:

@@ -20,7 +20,7 @@ from bumpless.sim.twin import Twin, new_log
 BLOCK = 256  # cycles per compiled call: their rows fit in a processor's own cache
 
 _DOCK = tuple(f.name for f in fields(DockColumns))
-_NAMES = (*(f.name for f in fields(Columns) if f.name != "dock"), *_DOCK, "phase")
+_NAMES = (*(f.name for f in Columns.numbers()), *_DOCK, "phase")
 _WORD = np.dtype(np.float64).itemsize
 _FIELDS: Any = LOG.fields
 _PLACES = np.array([_FIELDS[name][1] // _WORD for name in _NAMES])  # in a row, in words

@@ -4,14 +4,16 @@ from collections.abc import Iterable, Mapping
 
 from pydantic import ValidationError
 
+from bumpless.campaign.declaration import Search
 from bumpless.campaign.distributions import Value
 from bumpless.campaign.drawn import drawn_mission
 from bumpless.campaign.mission_text import mission_text
-from bumpless.campaign.parameter_path import changes_of
+from bumpless.campaign.parameter_path import value_at
 from bumpless.campaign.prepared import Prepared, Setup
 from bumpless.campaign.quantities import EITHER, NAMES, QUANTITIES, TOGETHER
+from bumpless.campaign.tune.values import applied, begun
 from bumpless.config.mission import MissionError, parse_mission
-from bumpless.config.parameters import ParameterError, check
+from bumpless.config.parameters import ParameterError
 from bumpless.config.yaml_text import YamlText
 
 
@@ -84,22 +86,40 @@ def path_of(place: Iterable[str | int]) -> str:
 
 def _search(file: YamlText, prepared: Prepared) -> None:
     tune = prepared.campaign.tune
+    before = len(file.problems)
     for path, search in tune.search.items() if tune else ():
-        place = f"tune.search.{path}"
-        if not search.low < search.high or (search.log and search.low <= 0.0):
-            above = "0 < low < high" if search.log else "low < high"
-            file.refuse(place, None, f"must have {above}")
-            continue
-        for setup in prepared.setups:
-            for end in (search.low, search.high):
-                try:
-                    changed = prepared.with_parameters(changes_of(setup.parameters, {path: end}))
-                    broken = [p for s in changed.setups for p in check(s.parameters, s.vehicle)]
-                except (ParameterError, ValueError) as error:
-                    broken = error.problems if isinstance(error, ParameterError) else ()
-                    if not broken:
-                        file.refuse(place, None, str(error))
-                        break
-                if broken:
-                    file.refuse(place, end, f"{broken[0].field} {broken[0].rule}")
-                    break
+        if found := _unsearchable(prepared, path, search):
+            file.refuse(f"tune.search.{path}", *found)
+    if tune and len(file.problems) == before:
+        try:
+            begun(prepared)
+        except ParameterError as error:
+            file.refuse(
+                "tune.search", None, f"begins where {error.problems[0].field} {error.problems[0].rule}"
+            )
+
+
+def _unsearchable(prepared: Prepared, path: str, search: Search) -> tuple[Value | None, str] | None:
+    """What is wrong with the search of one parameter: the value and the rule it breaks."""
+    try:
+        now = value_at(prepared.setups[0].parameters, path)
+    except ValueError as error:
+        return None, str(error)
+    least = 0.5 if isinstance(now, int) else 0.0
+    if not search.low < search.high or (search.log and search.low <= least):
+        return None, f"must have {'0 < low < high' if search.log else 'low < high'}"
+    for end in (search.low, search.high):
+        try:
+            applied(prepared, {path: end})
+        except ParameterError as error:
+            return end, f"{error.problems[0].field} {error.problems[0].rule}"
+    start = now if search.start is None else search.start
+    whole = (search.low, search.high, start)
+    if isinstance(now, int) and any(value != round(value) for value in whole):
+        return None, "must have whole numbers, for it is one"
+    if not search.low <= start <= search.high:
+        return (
+            start,
+            f"must be between low and high, {search.low:g} and {search.high:g}, where the search begins",
+        )
+    return None

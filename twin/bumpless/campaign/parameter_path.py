@@ -1,5 +1,6 @@
 """A parameter by its path: `hover.lambda`, or `hover.kd[5]` for one number of a row."""
 
+import difflib
 import re
 from collections.abc import Mapping
 from typing import Any
@@ -19,7 +20,7 @@ def changes_of(parameters: Parameters, values: Mapping[str, float]) -> dict[str,
             raise ValueError(f"{path}: must be section.key or section.key[index]")
         section, key, index = found.groups()
         if section not in tables or key not in tables[section]:
-            raise ValueError(f"{path}: no such parameter")
+            raise ValueError(f"{path}: no such parameter{_near(path, tables)}")
         table = changes.setdefault(section, {})
         before = table.get(key, tables[section][key])
         if index is None:
@@ -29,6 +30,12 @@ def changes_of(parameters: Parameters, values: Mapping[str, float]) -> dict[str,
             raise ValueError(f"{path}: no such number in the row")
         table[key] = [value if k == int(index) else old for k, old in enumerate(before)]
     return changes
+
+
+def _near(path: str, tables: Mapping[str, Mapping[str, Any]]) -> str:
+    known = [f"{section}.{key}" for section, table in tables.items() for key in table]
+    near = difflib.get_close_matches(path.partition("[")[0], known, n=1)
+    return f"; did you mean {near[0]}?" if near else ""
 
 
 def value_at(parameters: Parameters, path: str) -> float:

@@ -4,6 +4,7 @@ import hashlib
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from functools import cache
 from typing import Any
 
 from bumpless.campaign.declaration import Campaign
@@ -62,8 +63,14 @@ class Prepared:
             "missions": digest([s.mission.sha256 for s in self.setups]),
             "vehicle": digest([s.vehicle.sha256 for s in self.setups]),
             "parameters": digest([as_dict(s.parameters) for s in self.setups]),
-            "software": f"{software_version()} {cache_folder().name.removeprefix('numba-')}",
+            "software": software(),
         }
+
+
+@cache
+def software() -> str:
+    """Version and state of the sources that fly, with Python, NumPy and Numba."""
+    return f"{software_version()} {cache_folder().name.removeprefix('numba-')}"
 
 
 def digest(value: Any) -> str:

@@ -8,7 +8,6 @@ and leaves nothing half written. Only numbers that no part holds are flown again
 """
 
 import json
-import os
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
@@ -18,6 +17,7 @@ from bumpless.campaign.columns import schema_of
 from bumpless.campaign.flight import Row
 from bumpless.campaign.plain import plain
 from bumpless.campaign.prepared import Prepared
+from bumpless.config.whole import whole, write_text
 
 try:
     import fcntl
@@ -55,11 +55,8 @@ class Store:
 
         first, last = rows[0]["number"], rows[-1]["number"]
         path = self.folder / PARTS / f"{first:08d}-{last:08d}.parquet"
-        part = path.with_suffix(".part")
-        pq.write_table(pa.Table.from_pylist(list(rows), self.schema), part)
-        with part.open("rb+") as file:
-            os.fsync(file.fileno())
-        part.replace(path)
+        with whole(path) as part:
+            pq.write_table(pa.Table.from_pylist(list(rows), self.schema), part)
 
     def numbers(self) -> set[int]:
         """Flights that are stored. Raises StoreError when one is stored twice."""
@@ -97,8 +94,8 @@ def opened(folder: Path, prepared: Prepared, resume: bool) -> Iterator[Store]:
 
     Raises StoreError when the folder belongs to another campaign, or holds flights and `resume` is False.
     """
-    (folder / PARTS).mkdir(parents=True, exist_ok=True)
-    with _locked(folder):
+    with locked(folder):
+        (folder / PARTS).mkdir(exist_ok=True)
         _check(folder, prepared.identity(), resume)
         for left in (folder / PARTS).glob("*.part"):
             left.unlink()
@@ -107,15 +104,22 @@ def opened(folder: Path, prepared: Prepared, resume: bool) -> Iterator[Store]:
 
 
 @contextmanager
-def _locked(folder: Path) -> Iterator[None]:
-    if fcntl is None:
-        yield
-        return
-    with (folder / "lock").open("a") as mark:
+def locked(folder: Path) -> Iterator[None]:
+    """Make the folder, and keep every other process out of it until the end.
+
+    Raises StoreError when it can't be written, or another process has it.
+    """
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        mark = (folder / "lock").open("a")
+    except OSError as error:
+        raise StoreError(f"{folder} cannot be written: {error.strerror}; choose another --out") from error
+    with mark:
         try:
-            fcntl.flock(mark, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            if fcntl is not None:
+                fcntl.flock(mark, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except OSError as error:
-            raise StoreError(f"{folder} is in use by another campaign that is running now") from error
+            raise StoreError(f"{folder} is in use by another process that is running now") from error
         yield
 
 
@@ -141,9 +145,7 @@ def _check(folder: Path, identity: dict[str, str], resume: bool) -> None:
 
 def _write_manifest(folder: Path, prepared: Prepared) -> None:
     text = json.dumps(manifest(prepared), indent=1, ensure_ascii=False) + "\n"
-    part = folder / f"{MANIFEST}.part"
-    part.write_text(text, encoding="utf-8")
-    part.replace(folder / MANIFEST)
+    write_text(folder / MANIFEST, text)
 
 
 def manifest(prepared: Prepared) -> dict[str, Any]:

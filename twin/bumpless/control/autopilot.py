@@ -99,7 +99,9 @@ def fly_cycle(handle, onboard, m):
     situation = out.situation
     switched = onboard.orders.change == 1
     if docks:
-        look_docking(dt, plan, out.navigation.sighted, s, situation, out.docking)
+        look_docking(
+            dt, plan, model, m.u_feedback, out.navigation.sighted, s, situation, out.docking
+        )  # fmt: skip
         if cycle == 0:
             start_as_found(model, m, s)
     else:

@@ -1,7 +1,7 @@
 """The columns of a run that its figures are made of."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, fields, replace
+from dataclasses import Field, dataclass, fields, replace
 from functools import cached_property
 from typing import Any, Self
 
@@ -16,6 +16,7 @@ Integers = npt.NDArray[np.int64]
 
 GAP_S = 0.5  # cycles missing for less are no gap to tell of
 FLOWN = (0, *FLYING)  # phases whose rows count; 0: not said
+MOST_ODD = 10  # cycles at the end with a number that is none: more are no slip any more
 
 
 @dataclass(frozen=True)
@@ -75,6 +76,7 @@ class Columns:
     status: Integers  # (n,) SolveStatus
     solve_time: Floats  # (n,) s
     dock: DockColumns | None = None  # where there is a dock to enter
+    lost: bool = False  # after the last row the vehicle's state was no number any more, up to the end
 
     @classmethod
     def from_log(cls, log: npt.NDArray[Any], n_u: int) -> Self:
@@ -84,19 +86,41 @@ class Columns:
         named = log.dtype.names or ()
         absent: Any = np.zeros(len(rows), np.int64)
         columns: dict[str, Any] = {
-            f.name: np.array(rows[f.name] if f.name in named else absent)
-            for f in fields(cls)
-            if f.name != "dock"
+            f.name: np.array(rows[f.name] if f.name in named else absent) for f in cls.numbers()
         }
         for name in ("u", "u_feedback", "du_max"):
             columns[name] = columns[name][:, :n_u]
         return cls(**columns, dock=DockColumns.from_rows(rows))
 
+    @classmethod
+    def numbers(cls) -> "list[Field[Any]]":
+        """The fields that have one row per cycle, but for those of a dock."""
+        return [f for f in fields(cls) if f.name not in ("dock", "lost")]
+
+    def rows(self, chosen: npt.NDArray[np.bool_]) -> Self:
+        """Those of `chosen` (n,) alone."""
+        if chosen.all():
+            return self
+        dock = self.dock and DockColumns(*(getattr(self.dock, f.name)[chosen] for f in fields(DockColumns)))
+        return replace(self, **{f.name: getattr(self, f.name)[chosen] for f in self.numbers()}, dock=dock)
+
     def as_told(self, units: Sequence[str]) -> Self:
         """The same after its way over the bus, in deg and rpm: what a log holds, to the bit.
 
-        units: of each actuator's command, "deg" or "rpm".
+        A cycle in which the vehicle said a number that is none is not in it. units: of each actuator's
+        command, "deg" or "rpm".
         """
+        return self._turned(units)._finite()
+
+    def _finite(self) -> Self:
+        told = [getattr(self, name) for name in TOLD]
+        if np.isfinite(sum(float(column.sum()) for column in told)):
+            return self
+        whole = np.all([np.isfinite(column.reshape(len(self), -1)).all(1) for column in told], axis=0)
+        odd = len(self) - 1 - int(np.flatnonzero(whole)[-1]) if whole.any() else len(self)
+        return replace(self.rows(whole), lost=odd > MOST_ODD)
+
+    def _turned(self, units: Sequence[str]) -> Self:
         edge = np.array([EDGE_PER_SI[unit] for unit in units])
         turned = ("eta_hat", "nu_hat", "reference", "eta", "nu")
         angles = {name: getattr(self, name).copy() for name in turned}
@@ -139,6 +163,14 @@ class Columns:
     def missing(self) -> int:
         """Cycles between the first and the last that are not in the log."""
         return int(self.cycle[-1] - self.cycle[0] + 1 - len(self)) if len(self) else 0
+
+
+# what a vehicle itself says in each cycle, and not whoever knows the truth
+TOLD = (
+    "time", "kappa", "range", "depth", "eta_hat", "nu_hat", "nu_r_hat", "reference", "cross_track", "tau_d",
+    "tau_plus", "tau_minus", "tau_c", "observation_point", "target", "approach", "u", "u_feedback", "du_max",
+    "solve_time",
+)  # fmt: skip
 
 
 def dots(a: Floats, b: Floats) -> Floats:

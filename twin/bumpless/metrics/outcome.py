@@ -134,7 +134,7 @@ def outcome_of(
         ending, text, why = Ending.COLLIDED, dock.harm, "hull and dock met too hard"
     elif how != "completed":
         ending, text, why = Ending(how), reason or f"The run was {how}.", reason or how
-    elif not np.isfinite(run.eta_hat[-1]).all() or _is_lost(run):
+    elif run.lost or not np.isfinite(run.eta_hat[-1]).all() or _is_lost(run):
         ending, text, why = Ending.ABORTED, "The state was no number any more.", "the simulation broke down"
     else:
         ending, text, why = _completed(run, errors, held_s, period_s, limits, dock)

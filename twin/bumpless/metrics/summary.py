@@ -15,6 +15,8 @@ from bumpless.metrics.modes import ModeFigures, mode_figures
 from bumpless.metrics.proposition import demand_step_violations, increment_violations
 from bumpless.metrics.switches import SwitchSteps, largest, switch_steps
 
+MOST_MISSING = 2**32 - 1  # that the contract can tell
+
 if TYPE_CHECKING:
     from bumpless.config.vehicle import Vehicle
 
@@ -35,7 +37,7 @@ def metrics_of(run: Columns, vehicle: "Vehicle", run_id: str = "", *, checks: bo
     upper = np.array([c.upper for c in vehicle.commands]) / edge
     bounds = np.maximum(np.abs(lower), np.abs(upper))
     served = np.array([name in vehicle.controllable for name in WRENCH], float)
-    message = pb.Metrics(run_id=run_id, cycles=len(run), missing_cycles=run.missing)
+    message = pb.Metrics(run_id=run_id, cycles=len(run), missing_cycles=min(run.missing, MOST_MISSING))
     if len(run) == 0:
         return message
     residual = lengths((run.tau_d - run.tau_c) * served)

@@ -195,7 +195,8 @@ export class View3d {
     }
     const north = project([n1, (e0 + e1) / 2, floor]);
     g.fillStyle = this.look.ink;
-    if (north) g.fillText(`N · grid ${step} m, ${floor} m deep`, north[0], north[1]);
+    const words = 18 + 16 * Math.max(1, this.data.flights.length); // what stands at the top keeps its room
+    if (north) g.fillText(`N · grid ${step} m, ${floor} m deep`, north[0], Math.max(words, north[1]));
   }
 
   target(g, project) {

@@ -11,6 +11,7 @@ from typing import BinaryIO
 
 from mcap.records import Channel, Schema
 
+from bumpless.config.whole import whole
 from bumpless.contract.keys import ENCODING_PREFIX, SAID
 from bumpless.runs.chunks import CUT, NotALog, header_of, records_of
 from bumpless.runs.records import is_whole, read_records
@@ -31,13 +32,9 @@ def adopt(source: Path, target: Path) -> bool:
     if is_whole(source) and read_records(source).run:
         os.replace(source, target)
         return False
-    partial = target.with_name(target.name + ".part")
-    try:
-        with source.open("rb") as file, partial.open("wb") as out:
-            renamed = _copy(file, out, source.stat().st_size)
-        os.replace(partial, target)
-    finally:
-        partial.unlink(missing_ok=True)
+    with source.open("rb") as file, whole(target) as partial, partial.open("wb") as out:
+        renamed = _copy(file, out, source.stat().st_size)
+        out.flush()
     if source != target:
         source.unlink()
     return renamed

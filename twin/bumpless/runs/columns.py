@@ -17,10 +17,11 @@ from bumpless.config.problems import ProblemsError
 from bumpless.config.vehicle import Vehicle, VehicleError, parse_vehicle
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.keys import SAID
+from bumpless.contract.modes import MODE_LETTERS
 from bumpless.contract.units import EDGE_PER_SI
-from bumpless.metrics import Columns, Figures, figures_of
-from bumpless.metrics.columns import FLOWN, DockColumns
-from bumpless.runs.figures import how_ended, why_ended
+from bumpless.metrics import Columns, Figures
+from bumpless.metrics.columns import FLOWN, MOST_ODD, DockColumns
+from bumpless.runs.figures import figures_of_log
 from bumpless.runs.names import DESCRIPTION, MISSION, PLAN, TRUTH
 from bumpless.runs.read import log_messages
 
@@ -49,6 +50,7 @@ class _Column:
 
     def __init__(self) -> None:
         self.cycles, self.values = array("q"), array("d")
+        self.odd: set[int] = set()  # cycles with a number that is none
 
     def add(self, cycle: int, numbers: Iterable[float], finite: bool) -> None:
         """Take in a message; an odd one (of another width, with a number that is none) is a missing one."""
@@ -56,6 +58,7 @@ class _Column:
         if self.cycles and len(row) * len(self.cycles) != len(self.values):
             return
         if finite and not all(map(isfinite, row)):
+            self.odd.add(cycle)
             return
         self.cycles.append(cycle)
         self.values.extend(row)
@@ -105,19 +108,21 @@ def over_floor(mission: Mission | None, grid: bytes | None) -> Mission | None:
 
 
 def figures_of_file(
-    path: Path, run_id: str, state: str, phase: int, reason: str = "", grid: bytes | None = None
+    path: Path,
+    run_id: str,
+    state: str,
+    status: pb.MissionStatus,
+    reason: str = "",
+    grid: bytes | None = None,
 ) -> Figures | None:
     """Figures of a log, also of one that is still being written (flush it first) or was cut.
 
-    `state`, `phase` and `reason` are the run's last, `grid` its depth grid. None when the file holds no cycle
-    of a mission or no usable vehicle description. Raises ValueError when it is not MCAP.
+    `state`, `status` and `reason` are the run's last, `grid` its depth grid. None when the file holds no
+    cycle of a mission or no usable vehicle description. Raises ValueError when it is not MCAP.
     """
     data = read_columns(path)
-    if data.vehicle is None or len(data.columns) == 0:
-        return None
-    how = how_ended(state, phase)
-    why = why_ended(how, reason)
-    return figures_of(data.columns, data.vehicle, over_floor(data.mission, grid), how, why, run_id=run_id)
+    mission = over_floor(data.mission, grid)
+    return figures_of_log(data.columns, data.vehicle, mission, status, state, reason, run_id)
 
 
 def _vehicle(message: pb.VehicleDescription) -> Vehicle | None:
@@ -125,6 +130,15 @@ def _vehicle(message: pb.VehicleDescription) -> Vehicle | None:
         return parse_vehicle(message.vehicle_toml, f"{message.vehicle_id}.toml")
     except VehicleError:
         return None
+
+
+def _is_lost(columns: dict[str, _Column], last: int) -> bool:
+    """Whether, after cycle `last`, the state was no number any more for the rest of the flight."""
+    said = columns["tlm/supervisor"]
+    odd = set().union(*(column.odd for topic, column in columns.items() if topic != TRUTH))
+    width = len(said.values) // max(1, len(said.cycles))
+    ended = {c for c, phase in zip(said.cycles, said.values[::width], strict=True) if phase not in FLOWN}
+    return sum(cycle > last for cycle in odd - ended) > MOST_ODD
 
 
 def _joined(columns: dict[str, _Column]) -> Columns:
@@ -135,6 +149,9 @@ def _joined(columns: dict[str, _Column]) -> Columns:
         cycle = np.intersect1d(cycle, own, assume_unique=True)
     rows = {topic: values[np.searchsorted(own, cycle)] for topic, (own, values) in tables.items()}
     flying = np.isin(rows["tlm/supervisor"][:, 0], FLOWN) if len(cycle) else np.zeros(0, bool)
+    told = np.isin(cycle, truth_cycles)
+    if 2 * np.sum(told & flying) >= np.sum(flying):  # where it is told, it is one of a cycle's messages
+        flying &= told
     cycle = cycle[flying]
     rows = {topic: values[flying] if len(cycle) else np.empty((0, 80)) for topic, values in rows.items()}
     supervisor, navigation = rows["tlm/supervisor"], rows["tlm/navigation"]
@@ -177,6 +194,7 @@ def _joined(columns: dict[str, _Column]) -> Columns:
         u_feedback=actuators[:, 2 * n_u :],
         status=allocation[:, 0].astype(np.int64),
         solve_time=allocation[:, 1],
+        lost=bool(len(cycle)) and _is_lost(columns, int(cycle[-1])),
     )
 
 
@@ -191,6 +209,8 @@ _DOCKING = ("docking_stage", "docking_tries", "wave_off_reason", "approach_headi
 
 
 def _supervisor(m: pb.Supervisor) -> tuple[float, ...]:
+    if m.mode not in MODE_LETTERS:
+        raise ValueError(f"there is no mode {m.mode}")
     said = (m.phase, m.stamp.mission_time_s, m.mode, m.kappa, m.range_m)
     return (*said, *(getattr(m, name, 0) for name in _DOCKING))
 

@@ -11,6 +11,7 @@ from typing import Any
 
 from mcap.records import Attachment, Channel, McapRecord, Message, Metadata, Schema
 
+from bumpless.config.whole import whole
 from bumpless.contract.messages import stamp_of
 from bumpless.runs import names
 from bumpless.runs.chunks import CUT, header_of, records_of
@@ -73,9 +74,8 @@ def cut(source: Path, target: Path, part: Range) -> int:
     start = 0 if part.all else start_ns_of(source)
     first = -inf if part.from_s == -inf else start + (part.from_s - ROUNDING_S) * 1e9
     last = inf if part.to_s == inf else start + (part.to_s + ROUNDING_S) * 1e9
-    partial = target.with_name(target.name + ".part")
-    try:
-        with source.open("rb") as file, partial.open("wb") as out:
+    with source.open("rb") as file, whole(target) as partial:
+        with partial.open("wb") as out:
             size = source.stat().st_size
             records = records_of(file, size)
             header = header_of(records, size)
@@ -84,9 +84,6 @@ def cut(source: Path, target: Path, part: Range) -> int:
             copy.writer.finish()
         if not copy.messages:
             raise ValueError(f"the log has nothing in the range {part}")
-        partial.replace(target)
-    finally:
-        partial.unlink(missing_ok=True)
     return copy.messages
 
 

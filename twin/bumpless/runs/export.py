@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Literal, get_args
 
+from bumpless.config.whole import whole
 from bumpless.runs.cut import Range, cut
 
 Kind = Literal["mcap", "csv", "parquet", "alog"]
@@ -26,13 +27,9 @@ def export(source: Path, target: Path, kind: Kind, part: Range, signals: Sequenc
     from bumpless.runs.tables import chosen, write_csv, write_parquet
 
     run = open_run(source)
-    partial = target.with_name(target.name + ".part")
-    try:
+    with whole(target) as partial:
         if kind == "alog":
             write_alog(run, partial, part)
         else:
             write = write_csv if kind == "csv" else write_parquet
             write(chosen(run, signals, part), partial)
-        partial.replace(target)
-    finally:
-        partial.unlink(missing_ok=True)

@@ -9,6 +9,7 @@ from bumpless.contract.version import software_version
 from bumpless.runs.names import COMPLETE, FORMAT, INTERRUPTED
 
 LONGEST_NUMBER, LARGEST_NUMBER = 19, 2**63 - 1  # digits and value that a list can hold
+LONGEST_S = 1e8  # of a flight: three years
 _REASONS = {pb.MISSION_PHASE_COMPLETED: "completed", pb.MISSION_PHASE_ABORTED: "aborted"}
 
 
@@ -45,6 +46,11 @@ class RunInfo:
         return {"format": FORMAT} | {name: str(value) for name, value in asdict(self).items()}
 
 
+def elapsed_ns(status: pb.MissionStatus) -> int:
+    """Mission time that the vehicle tells, ns; 0 where it is none of a flight, such as NaN."""
+    return round(status.elapsed_s * 1e9) if 0.0 <= status.elapsed_s <= LONGEST_S else 0
+
+
 def run_info(
     run: str,
     status: pb.MissionStatus,
@@ -62,7 +68,7 @@ def run_info(
         vehicle_sha256=vehicle.sha256,
         parameters_sha256="" if parameters is None else parameters.sha256,
         seed=status.seed,
-        started_ns=status.stamp.time_ns - round(status.elapsed_s * 1e9),
+        started_ns=status.stamp.time_ns - elapsed_ns(status),
         software_version=vehicle.software_version,
         session=vehicle.session_id,
         recorder_version=software_version(),

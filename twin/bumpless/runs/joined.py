@@ -10,9 +10,9 @@ from google.protobuf.message import Message
 from bumpless.config.mission import Mission
 from bumpless.config.parameters import Parameters
 from bumpless.config.vehicle import Vehicle
-from bumpless.metrics import Columns, Figures, figures_of
+from bumpless.metrics import Columns, Figures
 from bumpless.runs import names
-from bumpless.runs.figures import OUTCOME, how_ended, why_ended
+from bumpless.runs.figures import OUTCOME, figures_of_log
 from bumpless.runs.info import RunInfo
 from bumpless.runs.pieces import joined
 from bumpless.runs.recorded import Recorded
@@ -61,12 +61,11 @@ class Joined:
     @property
     def figures(self) -> Figures | None:
         """Over all that was recorded, with the end of the last piece that flew."""
-        if self.vehicle is None or not self._flown:
+        if not self._flown:
             return None
-        end, phase = self._flown[-1].end, self._flown[-1].status.phase
-        how = how_ended(end.get("state", names.INTERRUPTED), phase)
-        reason = why_ended(how, end.get("reason", names.CUT_OFF))
-        return figures_of(self.columns, self.vehicle, self.mission, how, reason, run_id=self.info.run_id)
+        end, status, run = self._flown[-1].end, self._flown[-1].status, self.info.run_id
+        state, reason = end.get("state", names.INTERRUPTED), end.get("reason", names.CUT_OFF)
+        return figures_of_log(self.columns, self.vehicle, self.mission, status, state, reason, run)
 
     def told(self) -> Iterator[tuple[str, Message]]:
         """All messages, in order; an outcome that one piece alone was given is none of the flight."""

@@ -6,7 +6,6 @@ copy, and no piece.
 
 from collections.abc import Sequence
 from dataclasses import fields, replace
-from typing import Any
 
 import numpy as np
 
@@ -42,23 +41,12 @@ def joined(parts: Sequence[Columns]) -> Columns:
             continue
         new = part.cycle > last
         if new.any():
-            kept.append(_rows(part, new))
+            kept.append(part.rows(new))
             last = int(part.cycle[new][-1])
     if len(kept) < 2:
         return kept[0] if kept else first
-    whole = {f.name: np.concatenate([getattr(p, f.name) for p in kept]) for f in _plain()}
-    return replace(first, **whole, dock=_docks(kept))
-
-
-def _plain() -> list[Any]:
-    return [f for f in fields(Columns) if f.name != "dock"]
-
-
-def _rows(part: Columns, chosen: np.ndarray) -> Columns:
-    if chosen.all():
-        return part
-    dock = part.dock and DockColumns(*(getattr(part.dock, f.name)[chosen] for f in fields(DockColumns)))
-    return replace(part, **{f.name: getattr(part, f.name)[chosen] for f in _plain()}, dock=dock)
+    whole = {f.name: np.concatenate([getattr(p, f.name) for p in kept]) for f in Columns.numbers()}
+    return replace(first, **whole, dock=_docks(kept), lost=kept[-1].lost)
 
 
 def _docks(parts: Sequence[Columns]) -> DockColumns | None:

@@ -15,10 +15,10 @@ from bumpless.config.vehicle import Vehicle
 from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.keys import SAID
 from bumpless.contract.messages import decoded
-from bumpless.metrics import Columns, Figures, figures_of
+from bumpless.metrics import Columns, Figures
 from bumpless.runs import names
 from bumpless.runs.columns import RecordedColumns, over_floor, read_columns
-from bumpless.runs.figures import how_ended, why_ended
+from bumpless.runs.figures import figures_of_log
 from bumpless.runs.info import RunInfo, run_info
 from bumpless.runs.read import log_messages
 from bumpless.runs.records import Records, read_records
@@ -69,12 +69,10 @@ class Recorded:
     @property
     def figures(self) -> Figures | None:
         """Metrics and outcome; None without a cycle of a mission or a usable vehicle."""
-        vehicle, columns, end = self.vehicle, self.columns, self._records.end
-        if vehicle is None or len(columns) == 0:
-            return None
-        how = how_ended(end.get("state", names.INTERRUPTED), self._columns.status.phase)
-        reason = why_ended(how, end.get("reason", names.CUT_OFF))
-        return figures_of(columns, vehicle, self.mission, how, reason, run_id=self.info.run_id)
+        end = self._records.end
+        state, reason = end.get("state", names.INTERRUPTED), end.get("reason", names.CUT_OFF)
+        run = self.info.run_id
+        return figures_of_log(self.columns, self.vehicle, self.mission, self.status, state, reason, run)
 
     @cached_property
     def mission(self) -> Mission | None:

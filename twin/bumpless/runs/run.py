@@ -107,11 +107,11 @@ class Run:
         opened run's file is copied as it is.
         """
         _extra("mcap", "log")
-        target = Path(path)
-        partial = target.with_name(target.name + ".part")
-        try:
-            from bumpless.runs.recorded import Recorded
+        from bumpless.config.whole import whole
+        from bumpless.runs.recorded import Recorded
 
+        target = Path(path)
+        with whole(target) as partial:
             if isinstance(self._source, Flown):
                 from bumpless.runs.save import write_flown
 
@@ -120,9 +120,6 @@ class Run:
                 shutil.copyfile(self._source.path, partial)
             else:
                 raise ValueError("a flight that was recorded in pieces has no file of its own")
-            partial.replace(target)
-        finally:
-            partial.unlink(missing_ok=True)
         return target
 
     @cached_property

@@ -15,7 +15,7 @@ from bumpless.metrics import Figures, as_dict
 from bumpless.runs import names
 from bumpless.runs.columns import figures_of_file
 from bumpless.runs.figures import json_bytes, outcome_event
-from bumpless.runs.info import run_info
+from bumpless.runs.info import elapsed_ns, run_info
 from bumpless.runs.mcap_file import McapFile
 from bumpless.runs.names import CONTEXT, DESCRIPTION, PARAMETERS_STATUS, PLAN
 from bumpless.runs.view import View, Views
@@ -112,7 +112,7 @@ class RunWriter:
                 "state": state,
                 "reason": reason,
                 "ended_ns": str(self._end_ns),
-                "duration_s": f"{self.status.elapsed_s:.3f}",
+                "duration_s": f"{elapsed_ns(self.status) * 1e-9:.3f}",
                 "messages": str(self.messages),
                 "dropped": str(dropped),
             }
@@ -201,7 +201,7 @@ def _figures(
 ) -> Figures | None:
     """The figures of a file; None without. A run is worth keeping without its figures."""
     try:
-        return figures_of_file(path, run_id, state, status.phase, reason, grid)
+        return figures_of_file(path, run_id, state, status, reason, grid)
     except Exception:
         log.exception("the metrics of %s could not be computed", path)
         return None

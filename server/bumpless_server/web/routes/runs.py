@@ -10,6 +10,7 @@ from fastapi import APIRouter, Response
 from fastapi.responses import FileResponse, StreamingResponse
 from pydantic import ValidationError
 
+from bumpless.runs.info import elapsed_ns
 from bumpless.runs.names import RECORDING
 from bumpless.runs.pieces import piece_of
 from bumpless.runs.writer import RunWriter
@@ -53,8 +54,8 @@ def _going_on(run: RunWriter) -> RunAnswer:
         mission=status.mission_name,
         mission_sha256=status.mission_sha256,
         vehicle="",
-        started=_started(status.stamp.time_ns - round(status.elapsed_s * 1e9)),
-        duration_s=status.elapsed_s,
+        started=_started(status.stamp.time_ns - elapsed_ns(status)),
+        duration_s=elapsed_ns(status) * 1e-9,
         bytes=run.flushed_bytes,
         messages=run.messages,
         dropped=0,

@@ -5,8 +5,9 @@ and cost over those of the parameters that tuning began with. Penalties are quar
 the rest is below 1, and no gain in tracking can pay for a single worse ending.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from typing import TypeVar
 
 import numpy as np
 
@@ -16,6 +17,7 @@ from bumpless.campaign.flight import Row
 from bumpless.config.declare import as_table
 from bumpless.metrics.outcome import Ending
 
+T = TypeVar("T")
 PENALTY = {
     Ending.DOCKED: 0.0,
     Ending.HELD: 0.5,
@@ -73,10 +75,27 @@ def score_interval(
 
     Source: Efron 1979, Ann. Stat. 7, percentile interval. Always the same for the same flights.
     """
-    draws = np.random.Generator(np.random.PCG64(0)).integers(len(rows), size=(resamples, len(rows)))
-    scores = [score_of([rows[i] for i in draw], weights, reference) for draw in draws]
+    scores = [score_of(drawn, weights, reference) for drawn in _drawn(rows, resamples)]
     low, high = np.percentile(scores, [2.5, 97.5])
     return float(low), float(high)
+
+
+def score_gain(
+    before: Sequence[Row], after: Sequence[Row], weights: Weights, reference: Quality, resamples: int = 400
+) -> tuple[float, float]:
+    """95 % interval of how much smaller the score is after; the same flights are drawn of both."""
+    pairs = [*zip(before, after, strict=True)]
+    gains = []
+    for drawn in _drawn(pairs, resamples):
+        one, other = zip(*drawn, strict=True)
+        gains.append(score_of(one, weights, reference) - score_of(other, weights, reference))
+    low, high = np.percentile(gains, [2.5, 97.5])
+    return float(low), float(high)
+
+
+def _drawn(of: Sequence[T], resamples: int) -> Iterator[list[T]]:
+    draws = np.random.Generator(np.random.PCG64(0)).integers(len(of), size=(resamples, len(of)))
+    return ([of[i] for i in draw] for draw in draws)
 
 
 def _mean(values: np.ndarray) -> float:

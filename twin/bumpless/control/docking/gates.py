@@ -15,6 +15,7 @@ from bumpless.contract.enums import (
     TARGET_LOST,
     TOO_SLOW,
 )
+from bumpless.control.docking.swerve import SLIP_MOST
 from bumpless.jit import jit
 
 _NEAR_OFF = 0.35  # rad of heading error that wave off behind the gate
@@ -98,10 +99,16 @@ def fault_of(dt, settings, view, docking):
     if docking.gate_cycles * dt > settings.patience:
         return STUCK_AT_GATE
     fast = -docking.surge_lag > settings.lag_near and view.left < settings.gate_distance + 1.0
-    weak = docking.unbraked > max(settings.unbraked_most, settings.unbraked_share * docking.braked)
-    if abs(docking.surge_lag) > settings.lag_most or fast or weak:
+    if abs(docking.surge_lag) > settings.lag_most or fast or is_brake_weak(settings, docking):
         return TOO_SLOW
     return 0
+
+
+@jit
+def is_brake_weak(settings, docking):
+    """Whether the vehicle is faster than commands astern should have left it, or a shaft sticks."""
+    share = settings.unbraked_share * docking.braked
+    return docking.unbraked > max(settings.unbraked_most, share) or abs(docking.slip) > SLIP_MOST
 
 
 @jit

@@ -33,6 +33,8 @@ DOCKING_STATE = np.dtype(
         ("made", f8),  # speed that the commands should have made of it, m/s
         ("braked", f8),  # of that, what thrust astern should have taken off it lately, m/s
         ("unbraked", f8),  # by how much the vehicle is faster than that, smoothed, m/s
+        ("slip", f8),  # by how much a shaft stays behind its command, smoothed, rev/s
+        ("stops", f8),  # way in which a vehicle waved off as too slow comes to rest, m
         ("u_dot", f8),  # of the speed reference, m/s^2
         ("turn", f8),  # rate of the heading reference under way, smoothed, rad/s
         ("leg_climb", f8),  # rate of the depth reference on a leg that slopes, smoothed, m/s

@@ -9,7 +9,8 @@ from bumpless.contract.enums import BACK, CREEP, ENTRY, OFF_HEADING, OVERSHOT, T
 from bumpless.control.docking.creep import creep_references
 from bumpless.control.docking.entry import clear_leg, entry_references, off_the_way
 from bumpless.control.docking.line import line_references
-from bumpless.control.docking.surge import surge_drag, surge_mass
+from bumpless.control.docking.surge import SURE_DRAG, T_MADE, surge_drag, surge_mass
+from bumpless.control.docking.swerve import swerve_heading, swerves
 from bumpless.control.guidance.guide import approach
 from bumpless.control.guidance.path import follow_path
 from bumpless.jit import inline, jit
@@ -20,8 +21,7 @@ _T_LATERAL = 1.5  # s, smoothing of the speed across the line
 _T_DEPTH_RATE = 1.0  # s, smoothing of the depth reference's rate
 _T_LAG = 4.0  # s, smoothing of the speed error
 _T_TURN = 1.0  # s, smoothing of the heading reference's rate
-_T_MADE, _T_UNBRAKED = 3.0, 0.5  # s, of the speed that commands should have made, and of what is beyond it
-_SURE_DRAG = 0.75  # of the hull: with less than this no brake is blamed
+_T_UNBRAKED = 0.5  # s, smoothing of what is beyond the speed that commands should have made
 _CLIMB_MOST = 0.2  # rad of path slope fed forward
 
 
@@ -115,11 +115,18 @@ def shape_references(dt, settings, guidance, goals, navigation, smooth, referenc
 def shape_heading(dt, settings, guidance, psi_d, reference, docking):
     """Turn the heading reference towards psi_d, rad; notes its rate for the moment that a turn asks for."""
     under_way = docking.stage == TRANSIT or docking.stage == ENTRY
-    most = guidance.heading_rate if under_way else settings.line_rate
+    most = guidance.heading_rate if under_way or docking.passing != 0 else settings.line_rate
     turn = approach(0.0, wrap(psi_d - reference[5]), most * dt)
     reference[5] = wrap(reference[5] + turn)
     rate = turn / dt if under_way else 0.0
     docking.turn += lag(dt, _T_TURN) * (rate - docking.turn)
+
+
+@jit
+def turn_away(settings, plan, navigation, reference, docking):
+    """Turn the heading reference of a vehicle that holds station and has no brake past the dock."""
+    psi_d = swerve_heading(settings.docking, plan, navigation, docking)
+    shape_heading(settings.dt, settings.docking, settings.guidance, psi_d, reference, docking)
 
 
 @jit
@@ -143,6 +150,8 @@ def guide_docking(dt, settings, plan, s, situation, view, out):
                 dt, settings.docking, law.reverse_max, plan, navigation, situation.mode, reference[0], view,
                 docking,
             )  # fmt: skip
+            if swerves(plan, navigation, docking):
+                goals = goals[0], goals[1], swerve_heading(settings.docking, plan, navigation, docking)
     shape_references(dt, settings.docking, law, goals, navigation, s.pid.smooth, reference, view, docking)
 
 
@@ -169,9 +178,9 @@ def note_brake(dt, model, thrust, u, u_r, docking):
     counts for little; `braked` is the part of thrust astern in it, of which a weak brake lacks a share. A
     brake that is weak shows here before it shows in the speed: the PID asks for more at first.
     """
-    pull = (thrust - _SURE_DRAG * surge_drag(model, u_r)) / surge_mass(model)
-    docking.made += dt * (pull + (u - docking.made) / _T_MADE)
-    docking.braked -= dt * (thrust / surge_mass(model) + docking.braked / _T_MADE)
+    pull = (thrust - SURE_DRAG * surge_drag(model, u_r)) / surge_mass(model)
+    docking.made += dt * (pull + (u - docking.made) / T_MADE)
+    docking.braked -= dt * (thrust / surge_mass(model) + docking.braked / T_MADE)
     docking.unbraked += lag(dt, _T_UNBRAKED) * (u - docking.made - docking.unbraked)
 
 

@@ -32,6 +32,7 @@ from bumpless.control.docking.gates import (
     fault_of,
     fit_to_brake,
     gate_open,
+    is_brake_weak,
     is_deep,
     is_drifting_off,
     is_on_line,
@@ -40,6 +41,7 @@ from bumpless.control.docking.gates import (
 )
 from bumpless.control.docking.heading import along_across, choose_heading, follow_current, holdable, turned
 from bumpless.control.docking.line import place_on_line
+from bumpless.control.docking.swerve import is_past
 from bumpless.control.docking.waveoff import begin_approach, begin_entry, give_up, wave_off
 from bumpless.control.guidance.station import observation_point
 from bumpless.jit import jit
@@ -123,6 +125,9 @@ def approach_ahead(cycle, settings, supervisor, view, docking):
     docking.cleared = 1 if view.detected == 1 and gate_open(settings, view) else 0
     if view.detected == 1 and view.left <= supervisor.d_fr_l and fit_to_brake(settings, view):
         return REVERSE
+    if is_brake_weak(settings, docking):
+        wave_off(cycle, settings, TOO_SLOW, view, docking)
+        return REVERSE
     if abs(docking.surge_lag) > 2.0 * settings.lag_most:
         give_up(cycle, settings, TOO_SLOW, view, docking)
         return HOVER
@@ -187,6 +192,9 @@ def go_around(cycle, settings, plan, navigation, blind, point, view, docking):
 def on_way_back(cycle, dt, settings, plan, navigation, point, view, docking):
     """Waved off: back to the hold point, then round again."""
     waited = (cycle - docking.stage_cycle) * dt
+    if is_past(settings, plan, navigation, docking):
+        give_up(cycle, settings, docking.reason, view, docking)
+        return HOVER
     blind = view.age > settings.lost_far
     slow = abs(navigation.nu[0]) < 0.1 or view.left > docking.back_to + 2.0
     arrived = view.left >= docking.back_to - 0.2 and slow

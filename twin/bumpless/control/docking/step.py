@@ -14,8 +14,10 @@ from bumpless.control.docking.references import (
     note_lag,
     rest_references,
     smooth_lateral,
+    turn_away,
 )
 from bumpless.control.docking.stages import next_stage, see_line
+from bumpless.control.docking.swerve import note_shafts, note_stop, swerves
 from bumpless.control.docking.trim import note_schedule, note_tilt, trim_gains
 from bumpless.control.docking.waveoff import give_up
 from bumpless.control.guidance.guide import guide
@@ -25,15 +27,17 @@ _IN_PLACE_M, _IN_PLACE_RAD, _IN_PLACE_MPS = 0.13, 0.08, 0.045  # a little inside
 
 
 @jit
-def look_docking(dt, plan, sighted, s, situation, view):
+def look_docking(dt, plan, model, feedback, sighted, s, situation, view):
     """Fill the observation point for the approach heading in use, the range to it (3-D, m) and the view.
 
-    sighted: 1 in a cycle with a camera frame that shows the target where it may be.
+    feedback (8,): of the actuators, as measured; sighted: 1 in a cycle with a camera frame that shows the
+    target where it may be.
     """
     docking, navigation, station = s.docking, s.navigation, situation.station
     docking.fix_age = 0 if sighted == 1 else docking.fix_age + 1
     see_line(dt, plan, navigation, s.supervisor.detected, station, docking, view)
     smooth_lateral(dt, navigation, docking)
+    note_shafts(dt, model, feedback, s.allocation.u, docking)
     station[3], eta = docking.heading, navigation.eta
     situation.range = hypot(hypot(station[0] - eta[0], station[1] - eta[1]), station[2] - eta[2])
 
@@ -79,7 +83,11 @@ def refer_docking(settings, plan, s, situation, sway, view, out):
     """References of this cycle: by the stage, or of holding station while paused. out: GUIDANCE_OUTPUT."""
     if situation.holding == 1:
         rest_references(view, s.docking)
+        psi_d = s.guidance.reference[5]
         guide(settings.dt, settings.guidance, plan, s.navigation, situation, sway, s.guidance, out)
+        if swerves(plan, s.navigation, s.docking):  # a pause is no brake either
+            s.guidance.reference[5] = psi_d
+            turn_away(settings, plan, s.navigation, s.guidance.reference, s.docking)
     else:
         guide_docking(settings.dt, settings, plan, s, situation, view, out)
 
@@ -92,6 +100,7 @@ def trim_docking(settings, model, schedule, s, view, gains):
     u, u_r = navigation.nu[0], navigation.smooth_nu_r[0]
     note_lag(settings.dt, reference[0], u, s.docking)
     note_brake(settings.dt, model, s.allocation.tau_c[0], u, u_r, s.docking)
+    note_stop(model, u, u_r, s.docking)
     errors, z_force = s.pid.smooth, s.switching.now.tau_d[2]
     note_tilt(settings.dt, model, navigation.eta[3], z_force, u_r, s.docking)
     trim_gains(settings.docking, model, navigation, reference[0], errors, z_force, view, s.docking, gains)

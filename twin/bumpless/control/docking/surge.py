@@ -2,6 +2,9 @@
 
 from bumpless.jit import inline
 
+T_MADE = 3.0  # s, of the speed that commands should have made
+SURE_DRAG = 0.75  # of the hull: with less than this no brake is blamed
+
 
 @inline
 def surge_drag(model, u_r):
