@@ -143,8 +143,10 @@ class YamlText:
 
     def said(self, path: str) -> Any:
         """What stands at `path`, as a problem shows it; None where nothing does."""
-        part: Any = self.value if path in self.places else None
-        for key in re.findall(r"[^.\[\]]+", path) if part is not None else ():
+        if path not in self.places:
+            return None
+        part: Any = self.value
+        for key in re.findall(r"[^.\[\]]+", path):
             part = part[int(key)] if isinstance(part, list) else part[key]
         return shown(part)
 

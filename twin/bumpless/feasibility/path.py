@@ -18,6 +18,7 @@ from bumpless.physics.model import build_model
 
 _CRAB_SURE = 0.45  # sine of the crab angle up to which a leg is followed without an offset
 _CRAB_MOST = 0.75  # and with which hardly any way is made good along it
+_LAGS = 3.0  # two count as a fault in F; a vehicle a little stronger than its file stays within
 _ASIDE_M = 6.0  # from the last leg's end to the observation point: an approach can make up for no more
 _DEEPER_M = 1.0
 
@@ -46,8 +47,8 @@ def check_legs(mission: Mission, vehicle: Vehicle, parameters: Parameters) -> It
 
 
 def _borne_lag(parameters: Parameters) -> float:
-    """By how much a vehicle may stay behind the speed of its leg, m/s, and not give up as too slow in F."""
-    return 2.0 * parameters.docking.lag_most_mps if parameters.docking.enabled else 0.0
+    """By how much a vehicle may stay behind the speed of its leg, m/s, and not surely give up in F."""
+    return _LAGS * parameters.docking.lag_most_mps if parameters.docking.enabled else 0.0
 
 
 def leg_speed(mission: Mission, i: int) -> float:
