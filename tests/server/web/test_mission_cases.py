@@ -24,7 +24,9 @@ target: {position_ned_m: [26, 0, 2.3], heading_deg: 0, standoff_m: 1.5}
 """
 FAR = CASE.replace("[24.5, 0, 2.3]", "[5000, 0, 2.0]").replace("[26, 0, 2.3]", "[5001.5, 0, 2.0]")
 ABEAM = CASE + "environment:\n  current_ned_mps: [0, %g, 0]\n"
-BACK = CASE.replace("[10, 0, 2.0]", "[22, 0, 2.0], speed_mps: 0.7}\n  - {to_ned_m: [0, 0, 2.0]")
+BACK = CASE.replace("duration_s: 90", "duration_s: 150").replace(
+    "[10, 0, 2.0]", "[22, 0, 2.0], speed_mps: 0.7}\n  - {to_ned_m: [0, 0, 2.0]"
+)
 ROOT = Path(__file__).parents[3]
 # case -> text, hard codes, soft codes that are among others, (field, value, line) of one that is named
 CASES: dict[str, tuple[str, list[str], set[str], tuple[str, str, int]]] = {
