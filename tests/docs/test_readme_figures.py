@@ -1,5 +1,6 @@
 """The figures that README leads with are those of the results."""
 
+import json
 import re
 from pathlib import Path
 
@@ -25,3 +26,13 @@ def test_readme_says_what_the_results_say(row) -> None:
     said = " ".join((ROOT / "README.md").read_text().split())
     none = f"in none of {whole} was" if part == "0" else None
     assert (none or f"{part} of {whole}") in said
+
+
+def test_the_shares_in_the_docs_are_those_of_the_results() -> None:
+    """Protects: shares of examples, first missions and odd plans that no command had made."""
+    told = json.loads((ROOT / "results" / "shares.json").read_text(encoding="utf-8"))
+    page = (ROOT / "docs" / "docking.md").read_text(encoding="utf-8")
+    assert f"docks.shares --first {told['first']} --count {told['count']}" in page
+    section = page.split("## How often the examples dock")[1].split("\n## ")[0]
+    shown = [line.strip("| ").split(" | ") for line in section.splitlines() if line.startswith("| ")]
+    assert shown[2:] == told["rows"]

@@ -121,6 +121,39 @@ def test_an_approach_against_too_much_current_is_warned_of(north, speed, said) -
     assert bumpless.fly(mission).outcome.why == ("too slow" if said else "held within the limits")
 
 
+@pytest.mark.parametrize(
+    ("speed", "said", "ending"), [(0.9, "leg_too_fast", "docked"), (1.2, "!leg_too_fast", "waved_off")]
+)
+def test_a_leg_too_fast_is_refused_only_where_the_vehicle_would_give_up(speed, said, ending) -> None:
+    """Protects: 35 of 41 missions that were refused for a leg a little too fast docked."""
+    mission = odd("[10, 0, 2]", leg_speed=speed)
+    assert said in codes(mission)
+    assert bumpless.fly(mission).outcome.ending == ending
+
+
+@pytest.mark.parametrize(
+    ("standoff", "said"), [(1.1, ["!standoff_too_short"]), (1.25, ["standoff_too_short"]), (1.4, [])]
+)
+def test_a_standoff_is_refused_only_where_the_nose_guard_would_wave_off(standoff, said) -> None:
+    """Protects: 12 of 62 refused standoffs docked."""
+    mission = odd(standoff=standoff, last=f"[{40.0 - standoff}, 0, 2.3]")
+    assert codes(mission) == said
+    assert (bumpless.fly(mission).outcome.ending == "docked") == (not said or said[0][0] != "!")
+
+
+def test_a_target_free_to_turn_in_still_water_may_take_a_way_round() -> None:
+    """Protects: a faint current turned the approach, the way round took the time, without a word."""
+    assert "short_of_time" in codes(odd(duration=140))
+    assert "short_of_time" not in codes(odd(duration=140, current="[-0.08, 0, 0]"))
+    assert "short_of_time" not in codes(odd(duration=240))
+
+
+def test_legs_that_lead_straight_on_are_not_said_to_see_the_target_early() -> None:
+    """Protects: the planner's own first mission was warned of waypoints on the way to its dock."""
+    assert "seen_early" not in codes(odd("[28, 0, 2.3]"))
+    assert "seen_early" in codes(odd("[30, 1, 2.3]", "[30, 20, 2.3]"))
+
+
 def test_a_hover_too_short_to_have_docked_is_warned_of() -> None:
     """Protects: docked means ten seconds in place; a mission that ends before can't end so."""
     assert "hold_too_short" in codes(odd(hold=3))

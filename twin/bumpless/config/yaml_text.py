@@ -141,6 +141,15 @@ class YamlText:
         value = "null" if value is None and around == path != "" else shown(value)
         self.problems.append(Problem(self.source, *self.places[around], path, value, rule))
 
+    def said(self, path: str) -> Any:
+        """What stands at `path`, as a problem shows it; None where nothing does."""
+        if path not in self.places:
+            return None
+        part: Any = self.value
+        for key in re.findall(r"[^.\[\]]+", path):
+            part = part[int(key)] if isinstance(part, list) else part[key]
+        return shown(part)
+
     def place_of(self, path: str) -> tuple[int, int]:
         """(line, column), both 1-based, of `path`, or of the nearest part around it."""
         return self.places[self._around(path)]

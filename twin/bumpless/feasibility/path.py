@@ -18,6 +18,7 @@ from bumpless.physics.model import build_model
 
 _CRAB_SURE = 0.45  # sine of the crab angle up to which a leg is followed without an offset
 _CRAB_MOST = 0.75  # and with which hardly any way is made good along it
+_LAGS = 3.0  # two count as a fault in F; a vehicle a little stronger than its file stays within
 _ASIDE_M = 6.0  # from the last leg's end to the observation point: an approach can make up for no more
 _DEEPER_M = 1.0
 
@@ -32,7 +33,8 @@ def check_legs(mission: Mission, vehicle: Vehicle, parameters: Parameters) -> It
             text = f"{leg.speed_mps:g} m/s is faster than {vehicle.id} can be: {fastest:.2f} m/s."
             slower = math.floor(10.0 * fastest) / 10.0
             mend = Mend(field, slower, f"Fly it at {slower:g} m/s")
-            yield Finding(HARD, "leg_too_fast", field, text, f"Fly it at {slower:g} m/s or slower.", (mend,))
+            kind = SOFT if leg.speed_mps <= fastest + _borne_lag(parameters) else HARD
+            yield Finding(kind, "leg_too_fast", field, text, f"Fly it at {slower:g} m/s or slower.", (mend,))
             continue
         if leg_speed(mission, i) <= 0.02:
             text = "The current sets it off the leg faster than it can make good."
@@ -42,6 +44,11 @@ def check_legs(mission: Mission, vehicle: Vehicle, parameters: Parameters) -> It
             text = "The current comes so much from abeam that it may fly beside the leg by some metres."
             yield Finding(SOFT, "leg_drifted_off", field, text, "Fly it faster, or along another way.")
         yield from _depth(mission, i, start, end, parameters)
+
+
+def _borne_lag(parameters: Parameters) -> float:
+    """By how much a vehicle may stay behind the speed of its leg, m/s, and not surely give up in F."""
+    return _LAGS * parameters.docking.lag_most_mps if parameters.docking.enabled else 0.0
 
 
 def leg_speed(mission: Mission, i: int) -> float:

@@ -6,6 +6,7 @@ in any choice.
 """
 
 import argparse
+import json
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -113,6 +114,11 @@ def _hangar() -> Hangar:
     return Hangar()
 
 
+def table(cells: Sequence[Sequence[str]]) -> list[str]:
+    """Lines of Markdown."""
+    return [f"| {' | '.join(row)} |" for row in (HEAD, ["---"] * len(HEAD), *cells)]
+
+
 def main() -> None:
     """Fly and print a table; exit code 1 where a plan does not do what it promises."""
     parser = argparse.ArgumentParser(description=__doc__)
@@ -122,13 +128,18 @@ def main() -> None:
     )
     parser.add_argument("--only", nargs="+", default=[], help="names of plans begin with one of these")
     parser.add_argument("--workers", type=int, default=2)
+    parser.add_argument(
+        "--out", help="write the table there, JSON; docs/docking.md shows results/shares.json"
+    )
     a = parser.parse_args()
-    print(f"| {' | '.join(HEAD)} |\n|{'---|' * len(HEAD)}")
-    short = False
-    for row in rows(a.first, a.count, a.only, a.workers):
-        print(f"| {' | '.join(row.cells)} |", flush=True)
-        short = short or not row.keeps
-    raise SystemExit(1 if short else 0)
+    found = rows(a.first, a.count, a.only, a.workers)
+    print("\n".join(table([row.cells for row in found])))
+    if a.out:
+        told = {"first": a.first, "count": a.count, "rows": [row.cells for row in found]}
+        with open(a.out, "w", encoding="utf-8") as file:
+            json.dump(told, file, indent=1, ensure_ascii=False)
+            file.write("\n")
+    raise SystemExit(0 if all(row.keeps for row in found) else 1)
 
 
 if __name__ == "__main__":

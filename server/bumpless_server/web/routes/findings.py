@@ -3,6 +3,9 @@
 from fastapi import APIRouter, Request
 from fastapi.concurrency import run_in_threadpool
 
+from bumpless.config.problems import Problem as Broken
+from bumpless.config.text import BOM
+from bumpless.config.yaml_text import YamlText
 from bumpless_server.foresight.checked import checked
 from bumpless_server.plan.missions import MissionFile
 from bumpless_server.web.answers.findings import CheckAnswer
@@ -39,9 +42,11 @@ def refuse_hopeless(console: Served, file: MissionFile, despite: bool) -> None:
     hard = [one for one in found if one.severity == "hard"]
     if not hard:
         return
+    text, name = YamlText(file.mission.text.removeprefix(BOM), file.path.name), file.path.name
     problems = [
-        {"file": file.path.name, "line": one.line, "column": one.column, "field": one.path, "value": ""}
-        | {"rule": f"{one.reason} {one.change}".strip()}
+        Broken(
+            name, one.line, one.column, one.path, text.said(one.path), f"{one.reason} {one.change}".strip()
+        ).as_dict()
         for one in hard
     ]
     sentence = f"{file.path.name} can't work as it stands: {hard[0].reason}"
