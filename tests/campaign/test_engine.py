@@ -93,7 +93,8 @@ def test_a_scheduler_without_workers_is_said(monkeypatch):
     from distributed import LocalCluster
 
     dask = {"n_workers": 0, "processes": False, "dashboard_address": None, "host": "127.0.0.1"}
-    with LocalCluster(**dask, protocol="tcp") as empty, pytest.raises(ClusterError, match="no worker has"):  # type: ignore[arg-type]
+    empty = LocalCluster(**dask, protocol="tcp")  # type: ignore[arg-type]
+    with empty, pytest.raises(ClusterError, match="no worker has"):
         with opened(empty.scheduler_address):
             pass
 

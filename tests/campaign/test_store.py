@@ -64,7 +64,7 @@ def test_changed_software_is_refused(campaign, tmp_path, monkeypatch):
     """Protects: flights of two states of the software are not mixed."""
     with opened(tmp_path, campaign(3), False):
         pass
-    monkeypatch.setattr("bumpless.campaign.prepared.software_version", lambda: "9.9")
+    monkeypatch.setattr("bumpless.campaign.prepared.software", lambda: "9.9")
     with pytest.raises(StoreError, match="the software changed since"), opened(tmp_path, campaign(3), True):
         pass
 

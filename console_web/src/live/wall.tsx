@@ -48,7 +48,12 @@ export function Wall() {
         ))}
       </dl>
       <p class="wall-note" data-look={of?.look ?? link.value.look}>
-        {of && <of.Icon size={28} />} {worst ? worst.text : stale ? link.value.label : "No alarm."}
+        {of && <of.Icon size={28} />}{" "}
+        {worst
+          ? `${worst.text}${worst.returnedNs ? " (over, not seen)" : ""}`
+          : stale
+            ? link.value.label
+            : "No alarm."}
       </p>
     </div>
   );

@@ -129,7 +129,10 @@ function Recording() {
   if (status && !live.isFresh("server/status")) {
     return (
       <span class="chip unknown" data-look="off" title="Not known: the server does not answer">
-        <HollowIcon size={11} /> Rec<span class="spare">ording unknown</span>
+        <HollowIcon size={11} />
+        <span>
+          Rec<span class="spare">ording unknown</span>
+        </span>
       </span>
     );
   }
@@ -143,7 +146,10 @@ function Recording() {
         role="status"
         title={`Runs are not being recorded: ${status.recorderTrouble}`}
       >
-        <AlarmIcon /> Cannot rec<span class="spare">ord</span>
+        <AlarmIcon />
+        <span>
+          Cannot rec<span class="spare">ord</span>
+        </span>
       </span>
     );
   }
@@ -164,9 +170,9 @@ function Recording() {
           REC <span class="num spare">{bytes(status?.recordedBytes)}</span>
         </>
       ) : (
-        <>
+        <span>
           Not rec<span class="spare">ording</span>
-        </>
+        </span>
       )}
       {lost > 0 && <span class="lost"> {lost} dropped</span>}
     </span>

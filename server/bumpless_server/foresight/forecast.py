@@ -71,6 +71,9 @@ def _named(columns: Any, within: str) -> Iterator[tuple[str, npt.NDArray[Any]]]:
             yield from _named(value, f"{name}.")
         elif isinstance(value, np.ndarray):
             yield name, value
+        elif isinstance(value, bool):
+            if value:  # as a rule it is not, and says nothing
+                yield name, np.array(value)
         elif value is not None:
             raise TypeError(f"{name} is no column")
 

@@ -8,7 +8,7 @@ import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import cache
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, cast
 
 from bumpless.campaign.prepared import software
 
@@ -116,7 +116,7 @@ def _compare_software(client: "Client") -> None:
     """What joins later is compared by each chunk, see `FlyNumbers`."""
     again = "install on the workers what runs here"
     try:
-        found: Any = client.run(software)
+        found = cast("dict[str, str]", client.run(software))  # typed as if it were awaited
     except (ImportError, AttributeError) as error:
         raise ClusterError(f"a worker cannot load this version of Bumpless: {error}; {again}") from error
     for worker, its in found.items():
