@@ -36,12 +36,20 @@ def apart() -> Iterator[tuple[zenoh.Session, zenoh.Session, Gate]]:
                 yield first, second, door
 
 
-def test_a_stake_waits_for_the_link_to_a_vehicle_that_others_hear() -> None:
+def lives_alone(session: zenoh.Session, monkeypatch: pytest.MonkeyPatch) -> Claim:
+    """The claim of a live vehicle, which waits for nobody: whom it hears of stands behind a closed gate."""
+    live = Claim(session, "ts100")
+    with monkeypatch.context() as hasty:
+        hasty.setattr(links, "PATIENCE_S", 0.0)
+        live.stake()
+    live.declare_alive()
+    return live
+
+
+def test_a_stake_waits_for_the_link_to_a_vehicle_that_others_hear(monkeypatch: pytest.MonkeyPatch) -> None:
     """Protects: a node whose link to the live vehicle comes last took the id for free, and spoke."""
     with apart() as (first, second, door):
-        live = Claim(first, "ts100")
-        live.stake()
-        live.declare_alive()
+        live = lives_alone(first, monkeypatch)
         found: list[str] = []
 
         def stake() -> None:
@@ -55,14 +63,13 @@ def test_a_stake_waits_for_the_link_to_a_vehicle_that_others_hear() -> None:
         door.open()
         staking.join(PATIENCE_S)
         assert found == ["ts100 is already alive on this bus; not starting a second one"]
+        live.release()
 
 
 def test_a_link_that_comes_during_the_preparation_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
     """Protects: an id that was free when staked is looked at again before the vehicle speaks."""
     with apart() as (first, second, door):
-        live = Claim(first, "ts100")
-        live.stake()
-        live.declare_alive()
+        live = lives_alone(first, monkeypatch)
         late = Claim(second, "ts100", connects=True)
         with monkeypatch.context() as hasty:
             hasty.setattr(links, "PATIENCE_S", 0.0)
@@ -70,6 +77,7 @@ def test_a_link_that_comes_during_the_preparation_is_noticed(monkeypatch: pytest
         door.open()
         with pytest.raises(TakenError, match="already alive"):
             late.confirm()
+        live.release()
 
 
 def test_of_two_claims_the_younger_is_not_confirmed() -> None:

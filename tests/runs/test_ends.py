@@ -138,3 +138,22 @@ def test_a_mission_time_that_is_none_costs_no_recording(
     assert found.outcome.ending is Ending.DOCKED
     told = summarise(path)
     assert told.outcome == "docked" and told.started_ns > 0
+
+
+@pytest.mark.parametrize("leap_s", [-60.0, 3600.0, 1e12])
+def test_a_leap_of_the_missions_time_makes_no_stay_longer(docked: Run, tmp_path: Path, leap_s: float) -> None:
+    """Protects: a vehicle that hovered for two seconds and whose time then leapt had docked for an hour."""
+
+    def leap(bus: list[Told]) -> list[Told]:
+        said = []
+        for time_ns, topic, kind, payload in bus:
+            message: Any = decoded(kind, payload)
+            if message.stamp.mission_time_s >= 87.975:
+                message.stamp.mission_time_s += leap_s
+                payload = encoded(message)
+            said.append((time_ns, topic, kind, payload))
+        return said
+
+    outcome = log_of(tmp_path / "leap.mcap", leap(without_truth(on_bus(docked)))).outcome
+    assert outcome.ending is Ending.HELD
+    assert outcome.held_s == pytest.approx(2.0, abs=1e-3)

@@ -3,12 +3,34 @@
 import os
 import signal
 from collections.abc import Callable
+from typing import Any
 
+from bumpless import open_run
 from bumpless.contract import bumpless_pb2 as pb
+from bumpless.metrics import as_dict
+from bumpless.runs.figures import OUTCOME
+from bumpless.runs.summary import summarise
 from bumpless_server.settings import Settings
-from tests.server.serving import serving
+from tests.server.serving import Running, serving
 
 COMPILES_S = 600.0  # patience with a machine that has never compiled the control cycle
+
+
+def alike(running: Running, run: str) -> bool:
+    """Whether list, record, event and log tell one outcome, with all that belongs to it."""
+    path = running.console.data.runs / f"{run}.mcap"
+    found = open_run(path)
+    event: Any
+    (event,) = [m for topic, m in found.messages() if topic == "event" and getattr(m, "code", "") == OUTCOME]
+    row, kept = running.http.get(f"/api/runs/{run}").json(), summarise(path)
+    told = found.outcome
+    assert (row["outcome"], row["outcome_reason"]) == (kept.outcome, kept.outcome_reason)
+    assert (kept.outcome, kept.outcome_reason) == (told.ending, told.reason)
+    assert event.text == told.sentence and event.details["basis"] == told.basis == "believed"
+    running.until(lambda: event.text in [one["text"] for one in running.http.get("/api/events").json()])
+    assert kept.metrics == as_dict(found.metrics)
+    assert told.true_errors is None and told.believed_errors is not None and told.closest_m is not None
+    return True
 
 
 def test_a_real_mission_is_flown_recorded_and_measured_and_survives_the_nodes_death(
@@ -35,6 +57,7 @@ def test_a_real_mission_is_flown_recorded_and_measured_and_survives_the_nodes_de
         assert metrics["cycles"] >= 30 and metrics["missing_cycles"] == 0
         assert metrics["increment_violations"] == metrics["demand_step_violations"] == 0
         assert metrics == row["metrics"]
+        assert row["outcome"] == "aborted" and alike(running, run)
 
         second = http.post("/api/mission/start", json={"name": "docking"}).json()["run_id"]
         running.until(lambda: (going := running.console.recorder.recording) and going.messages > 100)
@@ -43,5 +66,6 @@ def test_a_real_mission_is_flown_recorded_and_measured_and_survives_the_nodes_de
         running.until(lambda: running.console.recorder.recording is None)
         assert http.get(f"/api/runs/{second}").json()["state"] == "interrupted"
         assert http.get(f"/api/runs/{second}/metrics").json()["cycles"] > 0
+        assert alike(running, second)
         running.until(lambda: state.link == pb.LINK_STATE_LIVE, COMPILES_S)
         assert http.get("/api/status").json()["node_restarts"] == 1

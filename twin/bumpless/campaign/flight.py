@@ -2,6 +2,7 @@
 
 import platform
 from collections.abc import Sequence
+from functools import cache
 from typing import Any
 
 from bumpless.campaign.drawn import OF_SENSORS, drawn_mission, drawn_vehicle, relative_current
@@ -49,6 +50,11 @@ class OtherSoftware(RuntimeError):
     """A worker would fly something else than who sent it the campaign."""
 
 
+@cache
+def _here() -> str:
+    return software()  # which reads all sources
+
+
 class FlyNumbers:
     """Flights of a campaign by their numbers: the work of one chunk, picklable.
 
@@ -62,8 +68,8 @@ class FlyNumbers:
 
     def __call__(self, numbers: Sequence[int]) -> list[Row]:
         """One row per number. Raises OtherSoftware, FlightError."""
-        if self.software != software():
-            raise OtherSoftware(f"{platform.node()} has Bumpless {software()}, this program {self.software}")
+        if self.software != _here():
+            raise OtherSoftware(f"{platform.node()} has Bumpless {_here()}, this program {self.software}")
         ready()
         hangar, rows = Hangar(), list[Row]()
         for number in numbers:

@@ -4,7 +4,6 @@ import hashlib
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from functools import cache
 from typing import Any
 
 from bumpless.campaign.declaration import Campaign
@@ -67,7 +66,6 @@ class Prepared:
         }
 
 
-@cache
 def software() -> str:
     """Version and state of the sources that fly, with Python, NumPy and Numba."""
     return f"{software_version()} {cache_folder().name.removeprefix('numba-')}"

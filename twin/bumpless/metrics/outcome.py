@@ -15,7 +15,7 @@ from bumpless.contract import bumpless_pb2 as pb
 from bumpless.contract.enums import HOVER, WAVED_OFF_STAGES
 from bumpless.contract.modes import LOOKS, MODE_LETTERS
 from bumpless.metrics.capture import Capture, capture_of
-from bumpless.metrics.columns import Columns
+from bumpless.metrics.columns import GAP_S, Columns
 from bumpless.metrics.dock import ANY_SIDE, Body, Clearance, clearance_of
 from bumpless.metrics.errors import EndErrors, Errors, believed_errors, is_known, true_errors
 from bumpless.metrics.floor import floor_clearance
@@ -198,9 +198,10 @@ def _held_s(run: Columns, errors: Errors, period_s: float, limits: Limits) -> fl
     within &= (np.abs(errors.heading) <= limits.heading_deg) & (errors.speed <= limits.speed_mps)
     if not within[-1]:
         return 0.0
-    # the stay begins after the last cycle that was outside, or after the last gap
+    # the stay begins after the last cycle that was outside, after the last gap or leap of the mission's time
     broken = np.flatnonzero(~within)
-    gaps = np.flatnonzero(~run.follows)
+    steps = np.diff(run.time, prepend=-np.inf)
+    gaps = np.flatnonzero(~run.follows | (steps <= 0.0) | (steps > max(GAP_S, 2.0 * period_s)))
     first = max(int(broken[-1]) + 1 if len(broken) else 0, int(gaps[-1]))
     return float(run.time[-1] - run.time[first]) + period_s
 

@@ -1,6 +1,7 @@
 """What a run's figures are told as, and what its end is called: the same from memory as from the file."""
 
 import json
+import math
 from typing import TYPE_CHECKING, Any
 
 from bumpless.contract import bumpless_pb2 as pb
@@ -47,8 +48,9 @@ def _how_ended(columns: Columns, status: pb.MissionStatus, state: str, reason: s
         return "interrupted", reason
     if status.phase == pb.MISSION_PHASE_ABORTED:
         return "aborted", reason
-    missing_s = elapsed_ns(status) * 1e-9 - float(columns.time[-1])
-    if missing_s > GAP_S and not columns.lost:
+    missing_s = elapsed_ns(status) * 1e-9 - float(columns.time.max())
+    ended = status.stamp.cycle or math.inf  # its time alone may have leapt
+    if missing_s > GAP_S and ended > columns.cycle[-1] and not columns.lost:
         return "interrupted", f"the last {missing_s:.1f} s of the flight were not recorded"
     return "completed", ""
 
