@@ -147,7 +147,7 @@ class YamlText:
             return None
         part: Any = self.value
         for key in re.findall(r"[^.\[\]]+", path):
-            part = part[int(key)] if isinstance(part, list) else part[key]
+            part = part[int(key) if key.isdecimal() else key]
         return shown(part)
 
     def place_of(self, path: str) -> tuple[int, int]:
