@@ -25,6 +25,19 @@ def test_drawn_missions_dock(kind, heading, numbers) -> None:
         assert judge(case, fly_case(case)).outcome == "docked", number
 
 
+@pytest.mark.parametrize(
+    ("number", "heading", "outcome"),
+    [
+        (302610, "into", "docked"),  # faster out of its turn than straight on: no weak brake
+        (360236, "some", "waved_off"),  # its way back against a current wandered into the dock
+    ],
+)
+def test_sound_vehicles_whose_way_ended_worse_before(number, heading, outcome) -> None:
+    """Protects: no vehicle gives up for a brake that works, or comes into the dock on its way back."""
+    case = draw_case(number, "normal", heading)
+    assert judge(case, fly_case(case)).outcome == outcome
+
+
 @pytest.mark.parametrize("kind", ["camera_dead", "lost", "fault", "any"])
 def test_nothing_runs_through_the_dock(kind) -> None:
     """Protects: with the target never seen or lost, with a fault, in any current, the dock stays whole."""

@@ -10,6 +10,7 @@ import pytest
 from bumpless.config.parameters import default_parameters
 from bumpless.config.parameters.records import fill_record
 from bumpless.contract import enums as e
+from bumpless.control.docking.line import approach_most, back_speed
 from bumpless.control.docking.record import DOCKING_OUTPUT, DOCKING_SETTINGS, DOCKING_STATE
 from bumpless.control.docking.stages import next_stage, see_line
 from bumpless.control.navigation import CLOCK, NAVIGATION_STATE
@@ -217,6 +218,27 @@ def test_a_brake_that_fails_is_seen_in_forward_too(dock, mode, watched, value) -
     dock.stage(e.APPROACH, mode).docking[watched] = value
     dock.at(8.7).step()
     assert dock.now == e.BACK and dock.mode == e.REVERSE and dock.reason == e.TOO_SLOW
+
+
+def test_far_out_a_turn_that_ends_is_no_weak_brake(dock) -> None:
+    """Protects: a turn takes off more speed than drag alone; just after it a brake is not judged."""
+    dock.stage(e.APPROACH, e.FORWARD).docking["unbraked"] = 0.2
+    dock.at(15.0).step()
+    assert dock.now == e.APPROACH and dock.mode == e.FORWARD
+
+
+def test_the_brake_is_tried_while_there_is_room(dock) -> None:
+    """Protects: drag alone brakes as planned, so a dead screw showed three metres before the point."""
+    assert approach_most(dock.settings, 0.4, 7.0) == 0.4
+    assert approach_most(dock.settings, 0.4, 6.0) == 0.28
+    dock.settings["try_brake"] = 0.0
+    assert approach_most(dock.settings, 0.4, 6.0) == 0.4
+
+
+@pytest.mark.parametrize(("head", "speed"), [(0.0, 0.15), (0.2, 0.1), (-0.05, 0.1), (-0.12, 0.08)])
+def test_a_way_back_makes_way_against_any_current(dock, head, speed) -> None:
+    """Protects: at 0.03 m/s against a current from astern it wandered seven metres off the line and back."""
+    assert back_speed(dock.settings, head) == pytest.approx(speed)
 
 
 def test_past_the_dock_a_vehicle_without_a_brake_is_given_up(dock) -> None:

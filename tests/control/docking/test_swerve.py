@@ -47,6 +47,9 @@ def flown(twin: Twin, case: Case, stuck_s: float | None = None) -> np.ndarray:
         (800029, "normal", "some", 117.71, 0.17),
         (810000, "still", "into", 23.48, 0.0),  # it pushes no more, long before braking is asked of it
         (810093, "normal", "into", 93.99, 0.0),
+        (811110, "still", "into", 109.17, 0.0),  # seen only because the approach tries its brake
+        (811154, "normal", "fixed", 33.59, 0.0),
+        (811245, "still", "into", 41.04, 0.0),
     ],
 )
 def test_a_screw_that_dies_near_the_switch_leaves_the_dock_whole(

@@ -109,6 +109,8 @@ def approach_time(parameters: Parameters, mission: Mission) -> float:
         settings = docking_settings(parameters.docking)
         left = np.arange(0.05, 60.0, 0.05)
         speeds = np.array([plain(approach_speed)(settings, float(x)) for x in left])
+        tried = left <= parameters.docking.try_brake_m
+        speeds[tried] = np.minimum(speeds[tried], parameters.docking.try_brake_mps)
     else:
         guide = parameters.guidance
         left = np.arange(0.05, parameters.supervisor.range_fr_lower_m, 0.05)

@@ -55,6 +55,11 @@ class DockingParameters:
     deceleration_mps2: Annotated[float, Number("Deceleration", "m/s²", 0.001, 2.0, record="deceleration")] = (
         0.02
     )
+    try_brake_m: Annotated[
+        float,
+        way("Where the brake is tried", "try_brake", help="R is no faster from there on than the next; 0: off."),
+    ] = 0.0
+    try_brake_mps: Annotated[float, pace("Fastest approach from there on", "try_speed")] = 0.28
     end_gain_per_s: Annotated[
         float, Number("Speed per metre at the end", "1/s", 0.01, 5.0, record="end_gain")
     ] = 0.2

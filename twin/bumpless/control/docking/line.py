@@ -19,6 +19,7 @@ _BORNE = 0.07  # of a head current, across: made good by the crab angle at the e
 _LEARN_WITHIN = 0.2  # m
 _DRIFT_MOST = 0.015  # m/s
 _ASTERN_MOST = 0.15  # m/s on the approach, past the observation point
+_BACK_LEAST = 0.08  # m/s over ground: slower, a way back against the current wanders off the line
 _CREEP = 0.1  # m/s, fastest correction while holding station
 
 
@@ -41,6 +42,16 @@ def approach_speed(settings, left):
     knee = deceleration / settings.end_gain
     speed = sqrt(knee * knee + 2.0 * deceleration * abs(left)) - knee
     return speed if left >= 0.0 else -speed
+
+
+@jit
+def approach_most(settings, reverse_max, left):
+    """Fastest approach in R `left` m before its stop, m/s over ground.
+
+    Drag alone slows the hull about as fast as `approach_speed` asks, so that a brake without thrust shows
+    late. From `try_brake` on the approach is slower than that: the brake has work to do while there is room.
+    """
+    return min(reverse_max, settings.try_speed) if left <= settings.try_brake else reverse_max
 
 
 @jit
@@ -101,8 +112,10 @@ def steer(dt, settings, current, u_r, learn, most, view, docking):
 @jit
 def back_speed(settings, head):
     """Speed over ground astern, m/s, positive, in a head current: half the current where that leaves flow
-    over the fins, else through the water astern."""
-    return 0.5 * head if head > 2.0 * settings.flow_floor + 0.02 else head + settings.back_speed
+    over the fins, else through the water astern, and in one from astern as fast as makes way against it."""
+    if head > 2.0 * settings.flow_floor + 0.02:
+        return 0.5 * head
+    return max(head + settings.back_speed, min(_BACK_LEAST, settings.back_speed))
 
 
 @jit
@@ -113,7 +126,7 @@ def line_speed(settings, stage, cleared, mode, leg_speed, reverse_max, along, le
         u_goal = approach_speed(settings, left - stop)
         if mode == FORWARD:
             return min(u_goal, leg_speed + along)
-        return min(max(u_goal, -_ASTERN_MOST), reverse_max)
+        return min(max(u_goal, -_ASTERN_MOST), approach_most(settings, reverse_max, left))
     if stage == BACK:
         slow = max(approach_speed(settings, back_to + 0.3 - left), -0.1)
         return -min(back_speed(settings, -along), slow)

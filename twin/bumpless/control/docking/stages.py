@@ -52,6 +52,7 @@ _TURN_STEP, _TURNS = 0.05, 6  # rad, how many each way: approach headings tried 
 _NO_FLOW = 0.04  # m/s along the hull: with less of it nothing brings back what drifts off,
 _IN_VAIN = 3  # and patience ends so many times as fast
 _WAITED_S = 240.0  # after which a way back that doesn't arrive is over
+_WATCHED_M = 6.0  # before the switch, from which on in F a weak brake is told from a turn that has just ended
 
 
 @jit
@@ -125,7 +126,7 @@ def approach_ahead(cycle, settings, supervisor, view, docking):
     docking.cleared = 1 if view.detected == 1 and gate_open(settings, view) else 0
     if view.detected == 1 and view.left <= supervisor.d_fr_l and fit_to_brake(settings, view):
         return REVERSE
-    if is_brake_weak(settings, docking):
+    if view.left <= supervisor.d_fr_l + _WATCHED_M and is_brake_weak(settings, docking):
         wave_off(cycle, settings, TOO_SLOW, view, docking)
         return REVERSE
     if abs(docking.surge_lag) > 2.0 * settings.lag_most:
