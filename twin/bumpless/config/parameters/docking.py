@@ -57,7 +57,7 @@ class DockingParameters:
     )
     try_brake_m: Annotated[
         float,
-        way("Where the brake is tried", "try_brake", help="R is no faster from there on than the next; 0: off."),
+        way("Where the brake is tried", "try_brake", help="No faster than the next from there on; 0: off."),
     ] = 0.0
     try_brake_mps: Annotated[float, pace("Fastest approach from there on", "try_speed")] = 0.28
     end_gain_per_s: Annotated[
