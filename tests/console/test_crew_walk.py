@@ -23,7 +23,7 @@ version: 1
 name: approach
 title: Approach with a weak screw
 vehicle: ts100
-duration_s: 30
+duration_s: 40
 seed: 1
 start: {position_ned_m: [15, 0, 2.0], heading_deg: 0, speed_mps: 0.6}
 legs:

@@ -38,7 +38,8 @@ def test_values_follow_the_stream(console: Page, server: ContractServer) -> None
 
 def test_the_way_back_after_a_missed_approach_is_no_leg(console: Page, server: ContractServer) -> None:
     """Protects from "3/2": the vehicle says leg `leg_count` while it goes back for another approach."""
-    server.keep_saying([*flight.hello(), ("tlm/guidance", pb.Guidance(leg=2, leg_count=2))])
+    running = flight.hello(pb.MISSION_PHASE_RUNNING)
+    server.keep_saying([*running, ("tlm/guidance", pb.Guidance(leg=2, leg_count=2))])
     expect(console.get_by_label("State", exact=True)).to_contain_text("Legback")
 
 

@@ -37,8 +37,9 @@ def test_a_mission_is_flown_and_ended_by_command(bus: Listener, node: Process) -
     assert bus.ask("pause").accepted and bus.ask("resume").accepted and bus.ask("abort").accepted
     over = bus.until(lambda: [m for m in bus.of("tlm/mission") if m.phase == pb.MISSION_PHASE_ABORTED])[0]
     assert over.run_id == reply.run_id and over.end_reason == "Mission aborted: aborted by the operator."
-    plan = bus.of("tlm/plan")[0]
+    plan = bus.until(lambda: bus.of("tlm/plan"))[0]
     assert plan.sha256 == over.mission_sha256 and len(plan.path_ned_m) >= 2
+    bus.until(lambda: [event for event in bus.of("event") if event.code == "mission_aborted"])
     codes = [event.code for event in bus.of("event")]
     assert codes == [
         "mission_started",
