@@ -29,7 +29,7 @@ def twin(run: Run, told: Said) -> PresentTwin:
     return PresentTwin(run.vehicle, run.mission, run.parameters, told)
 
 
-@pytest.mark.parametrize("time_s", [5.0, 33.0, 70.0])
+@pytest.mark.parametrize("time_s", [5.0, 28.0, 30.0, 33.0, 35.0, 70.0])
 def test_it_goes_on_as_the_vehicle_does(run: Run, time_s: float) -> None:
     """Protects the forecast: the same demand at once, and for 10 s the same place and depth, in all modes."""
     log = twin(run, said(run, time_s)).ahead(201)

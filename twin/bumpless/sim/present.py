@@ -16,13 +16,15 @@ from bumpless.config.mission import Mission
 from bumpless.config.parameters import Parameters
 from bumpless.config.vehicle import Vehicle
 from bumpless.contract import bumpless_pb2 as pb
-from bumpless.contract.enums import ENTRY, FORWARD, RUNNING, TRANSIT
+from bumpless.contract.enums import APPROACH, ENTRY, FORWARD, RUNNING, TRANSIT
 from bumpless.contract.units import EDGE_PER_SI
 from bumpless.control.docking.entry import choose_way
+from bumpless.control.docking.line import approach_most, approach_speed
 from bumpless.control.guidance.station import observation_point
 from bumpless.sim.cycle import fly
 from bumpless.sim.twin import Twin, new_log
 
+_BEHIND = 0.7  # of the wanted deceleration that is in force, on the whole: its jerk is limited
 _LONG_AGO = -1_000_000_000  # cycle
 _PROBE = 0.01  # m or rad, of what guidance has learnt
 _OFTEN = 1000  # fixes: the target has been seen for long
@@ -158,11 +160,29 @@ class PresentTwin(Twin):
             docking["turn"] = self._state["navigation"]["nu"][5]
         if docking["stage"] == ENTRY:
             self._remember_way()
+        if docking["stage"] == APPROACH:
+            self._remember_braking()
+
+    def _remember_braking(self) -> None:
+        """How fast the speed reference falls on the approach line: it closes on what is asked there."""
+        docking, settings, law = self._state["docking"], self._docking_settings(), self._settings["guidance"]
+        left, in_force = float(self._said.supervisor.range_m), float(self._state["guidance"]["reference"][0])
+        goal = approach_speed.py_func(settings, left)
+        if int(self._state["supervisor"]["mode"]) == FORWARD:
+            goal = min(goal, in_force)  # the leg's speed, until it brakes
+        else:
+            goal = min(goal, approach_most.py_func(settings, float(law["reverse_max"]), left))
+        fastest = float(law["acceleration"])
+        wanted = (goal - in_force) / settings.speed_time
+        docking["u_dot"] = _BEHIND * min(max(wanted, -fastest), fastest)
+
+    def _docking_settings(self) -> Any:
+        return self._settings["docking"].copy().view((np.record, self._settings["docking"].dtype))
 
     def _remember_way(self) -> None:
         """Where the way round leads: the shortest from here, the one begun but for its first seconds."""
         docking, believed, plan = self._state["docking"], self._state["navigation"], self.onboard["plan"]
-        settings = self._settings["docking"].copy().view((np.record, self._settings["docking"].dtype))
+        settings = self._docking_settings()
         keep, point = settings.keep_out + float(plan["dock_radius"]), np.zeros(4)
         observation_point(believed["target"], float(docking["heading"]), float(plan["standoff"]), point)
         way = SimpleNamespace(heading=float(docking["heading"]), side=0, farther=0.0)
